@@ -1,0 +1,83 @@
+#pragma once
+// The paper's Fig. 2: acquire, extract, translate four times in parallel, then assemble, then measure; fourteen elements
+// with bounded queues between them. The only place in the measuring path where a thread starts.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/acquisition/frame.h"
+#include "engine/measurement/measurement.h"
+#include "engine/optics/calibration.h"
+#include "engine/profile/profile.h"
+#include "engine/recipe/recipe.h"
+#include "engine/registration/registration.h"
+
+namespace vignole {
+
+/// One stage of the pipeline with the queue in front of it. Names: acquire.1 .. translate.4, profile, measure.
+struct StageStatistics {
+  std::string name;
+  std::uint64_t count = 0;
+  double meanMs = 0, sdMs = 0, ucl99Ms = 0, maxMs = 0;
+  std::size_t queueCapacity = 0;   ///< 0 for acquire: nothing in front of it
+  std::size_t queueHighWater = 0;
+  std::uint64_t overflows = 0;     ///< dropped because the queue was full (live only)
+};
+
+/// Every trigger is accounted for: seen = measured + incomplete + lost.
+struct TriggerLedger {
+  std::uint64_t seen = 0;
+  std::uint64_t measured = 0;    ///< complete: four contours, registered
+  std::uint64_t incomplete = 0;  ///< a profile was made, but a camera or the registration was missing
+  std::uint64_t lost = 0;        ///< no profile at all
+  std::map<std::string, std::uint64_t> reasons;  ///< "camera 3: frame lost" -> triggers
+};
+
+/// What comes out at the end for every trigger of a rail, in the order of the triggers.
+struct ProfileResult {
+  std::shared_ptr<const RailBegin> rail;
+  Profile profile;
+  Registration registration;
+  Measurement measurement;
+};
+
+/// Called by the last stage's thread, in order; must be quick and must not throw.
+struct InspectionObserver {
+  std::function<void(const RailBegin&)> railBegan;
+  std::function<void(const ProfileResult&)> profileMeasured;
+  std::function<void(const RailBegin&, const TriggerLedger& ofThisRail)> railEnded;
+  std::function<void(const std::string& error)> ended;  ///< after the last; error empty if all went well
+};
+
+struct InspectionSettings {
+  std::size_t queueCapacity = 16;
+  int pendingProfiles = 64;  ///< how far one camera may run ahead before a trigger is given up as incomplete (live)
+};
+
+/// Runs until the source ends or stop() is called. Thread-safe: start once, stop from any thread in any state.
+class Inspection {
+ public:
+  Inspection(FrameSource& source, Recipe recipe, RigCalibration calibration, InspectionObserver observer,
+             InspectionSettings settings = {});
+  ~Inspection();  ///< stops and joins
+  Inspection(const Inspection&) = delete;
+  Inspection& operator=(const Inspection&) = delete;
+
+  void start();
+  void stop();           ///< asks; what is under way is finished or counted as lost
+  void wait();           ///< until everything has passed the last stage
+  [[nodiscard]] bool running() const;
+  [[nodiscard]] std::vector<StageStatistics> stages() const;  ///< fourteen, any time
+  [[nodiscard]] TriggerLedger triggers() const;               ///< any time
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vignole

@@ -1,0 +1,40 @@
+#pragma once
+// Count, mean, variance, extremes of a stream of numbers in constant memory (Welford 1962).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace vignole {
+
+class RunningStatistics {
+ public:
+  void add(double x) {
+    ++count_;
+    const double d = x - mean_;
+    mean_ += d / static_cast<double>(count_);
+    m2_ += d * (x - mean_);
+    min_ = std::min(min_, x);
+    max_ = std::max(max_, x);
+  }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] double mean() const { return mean_; }
+  /// Sample standard deviation (n - 1); 0 below two values.
+  [[nodiscard]] double sd() const { return count_ < 2 ? 0.0 : std::sqrt(m2_ / static_cast<double>(count_ - 1)); }
+  [[nodiscard]] double min() const { return count_ == 0 ? 0.0 : min_; }
+  [[nodiscard]] double max() const { return count_ == 0 ? 0.0 : max_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  double mean_ = 0, m2_ = 0;
+  double min_ = std::numeric_limits<double>::infinity(), max_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Quantile of Student's t distribution, 0 < p < 1, degrees of freedom >= 1 (to 1e-6).
+[[nodiscard]] double studentQuantile(double p, double degreesOfFreedom);
+
+/// The paper's Table VII: upper limit of the 99 % confidence interval of the mean, mean + t(0.995, n-1) s / sqrt(n).
+[[nodiscard]] double ucl99(const RunningStatistics& statistics);
+
+}  // namespace vignole

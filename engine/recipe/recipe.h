@@ -1,0 +1,43 @@
+#pragma once
+// A recipe: what is measured and how. Section, tolerances, parameters of the dimensions, settings of the stages.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/geometry/expected.h"
+#include "engine/measurement/measurement.h"
+#include "engine/rail/dimension.h"
+#include "engine/rail/section.h"
+#include "engine/rail/tolerance.h"
+#include "engine/registration/registration.h"
+#include "engine/stripe/stripe.h"
+
+namespace vignole {
+
+struct Recipe {
+  std::string name;            ///< "60E1 X/A"
+  int version = 1;
+  std::string note;            ///< edition of the tolerances, shown to people
+  Section section;
+  std::string profileClass = "X";
+  std::string straightnessClass = "A";
+  DimensionParameters parameters;
+  PerDimension<ToleranceLimits> limits;
+  StripeSettings stripe;
+  RegistrationSettings registration;
+  MeasurementSettings measurement;
+};
+
+/// From a section of the catalogue (or a section file) and its classes.
+[[nodiscard]] Expected<Recipe> makeRecipe(std::string_view section, std::string_view profileClass = "X",
+                                          std::string_view straightnessClass = "A");
+/// TOML, format = 1. Refuses unknown keys, swapped limits, values out of range: file, line, key, reason, remedy.
+[[nodiscard]] Expected<Recipe> loadRecipe(const std::filesystem::path& file);
+/// A path, or a name of resources/recipes, or "SECTION" / "SECTION CLASS/CLASS" ("60E1", "60E1 X/A").
+[[nodiscard]] Expected<Recipe> findRecipe(std::string_view nameOrFile);
+[[nodiscard]] std::vector<std::string> recipeNames();
+[[nodiscard]] std::string toToml(const Recipe& recipe);
+
+}  // namespace vignole

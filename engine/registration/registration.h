@@ -1,0 +1,68 @@
+#pragma once
+// Registration (paper section II-F and its reference [18]): ICP of profile points to the section's primitives with
+// analytic nearest points. It assigns points to primitives and gives the pose; dimensions come later, from the data.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/transform2.h"
+#include "engine/profile/profile.h"
+#include "engine/rail/section.h"
+
+namespace vignole {
+
+struct RegistrationSettings {
+  double startScaleMm = 60;      ///< Tukey scale of the first pass without a starting pose
+  double trackScaleMm = 6;       ///< the same with one
+  double inlierMm = 0.1;         ///< a point is an inlier below max(3 sigma, this)
+  double assignMm = 3.0;         ///< points further from their primitive are not assigned
+  double maxRmsMm = 1.0;         ///< registration fails above
+  double minInlierShare = 0.3;   ///< and below
+};
+
+struct PrimitiveResidual {
+  int points = 0;
+  double rmsMm = 0;
+  double meanMm = 0;
+  double chi2 = 0;  ///< per point
+};
+
+struct Registration {
+  bool valid = false;
+  std::string reason;              ///< why not valid
+  Transform2 worldFromSection;     ///< the pose: data from section
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y (mm), angle (rad) about the section centre
+  double rmsMm = 0;                ///< over inliers, |r| < max(3 sigma, 0.1 mm)
+  int inliers = 0;
+  int points = 0;
+  int iterations = 0;
+  double timeUs = 0;               ///< registration alone
+  double chi2 = 0;                 ///< per inlier-or-near point, robust
+  std::vector<std::int16_t> primitiveOfPoint;  ///< index into Section::primitives, -1 outlier
+  std::vector<float> residualMm;               ///< signed, > 0 outside the section
+  std::vector<PrimitiveResidual> primitives;   ///< one per primitive of the section
+};
+
+/// One per thread and section. Same points, same bits.
+class Registrar {
+ public:
+  Registrar(const Section& section, const RegistrationSettings& settings);
+  ~Registrar();
+  Registrar(Registrar&&) noexcept;
+  Registrar& operator=(Registrar&&) noexcept;
+
+  /// `start`: expected worldFromSection (never taken from an earlier profile: determinism), or none.
+  void registerProfile(std::span<const ProfilePoint> points, Registration& result,
+                       const std::optional<Transform2>& start = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vignole
