@@ -1,0 +1,34 @@
+#pragma once
+// The hero of Monitor and of the report: the measured profile over the section, deviations magnified, tolerance band,
+// stretches out of tolerance, a dimension drawn as in the paper's Fig. 5.
+
+#include <QPainter>
+#include <QRectF>
+#include <optional>
+
+#include "engine/measurement/measurement.h"
+#include "engine/profile/profile.h"
+#include "engine/registration/registration.h"
+#include "report/palette.h"
+
+namespace vignole {
+
+enum class ProfileView { Whole, Head, Web, Foot };
+
+struct ProfileDrawing {
+  const Section* section = nullptr;            ///< required
+  const PerDimension<ToleranceLimits>* limits = nullptr;  ///< for the tolerance band; may be null
+  const Profile* profile = nullptr;            ///< null: model only
+  const Registration* registration = nullptr;
+  const Measurement* measurement = nullptr;
+  double magnification = 20;                   ///< of deviations, 1 .. 100
+  ProfileView view = ProfileView::Whole;
+  bool byCamera = false;
+  bool held = false;                           ///< the source stopped: grey
+  std::optional<Dimension> selected;
+};
+
+/// Fills `area`, legend and scale bars included; text in pixels scales with painter and font settings of the caller.
+void paintProfile(QPainter& painter, const QRectF& area, const ProfileDrawing& drawing, const Palette& palette);
+
+}  // namespace vignole
