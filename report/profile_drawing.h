@@ -16,15 +16,15 @@ namespace vignole {
 enum class ProfileView { Whole, Head, Web, Foot };
 
 struct ProfileDrawing {
-  const Section* section = nullptr;            ///< required
+  const Section* section = nullptr;                       ///< required
   const PerDimension<ToleranceLimits>* limits = nullptr;  ///< for the tolerance band; may be null
-  const Profile* profile = nullptr;            ///< null: model only
+  const Profile* profile = nullptr;                       ///< null: model only
   const Registration* registration = nullptr;
   const Measurement* measurement = nullptr;
-  double magnification = 20;                   ///< of deviations, 1 .. 100
+  double magnification = 20;  ///< of deviations, 1 .. 100
   ProfileView view = ProfileView::Whole;
   bool byCamera = false;
-  bool held = false;                           ///< the source stopped: grey
+  bool held = false;  ///< the source stopped: grey
   std::optional<Dimension> selected;
 };
 

@@ -13,7 +13,7 @@ struct RailReport {
   const Recipe* recipe = nullptr;
   const ProfileResult* example = nullptr;  ///< the profile that is drawn (the worst one, or the last)
   std::string programVersion;
-  bool simulation = false;                 ///< says SIMULATION on every page
+  bool simulation = false;  ///< says SIMULATION on every page
 };
 
 /// By extension: .pdf or .png; written whole or not at all. Needs a QGuiApplication.
