@@ -1,0 +1,154 @@
+#include "engine/optics/calibration.h"
+
+#include <Eigen/LU>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+#include "engine/files/atomic_file.h"
+#include "engine/files/toml_reader.h"
+
+namespace vignole {
+
+namespace {
+
+constexpr double kRotationTolerance = 1e-6;
+
+/// The shortest text that reads back as the same number, always with what makes it a TOML float.
+std::string number(double value) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  std::string text(buffer.data(), end);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string list(std::span<const double> values) {
+  std::string text = "[";
+  for (const double v : values) text += (text.size() > 1 ? ", " : "") + number(v);
+  return text + "]";
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out + "\"";
+}
+
+std::string toToml(const Intrinsics& in) {
+  std::string text = "[range_finder.intrinsics]\n";
+  text += "focal_mm = " + number(in.focalMm) + "\npixel_width_mm = " + number(in.pixelWidthMm) +
+          "\npixel_height_mm = " + number(in.pixelHeightMm) + "\ncx_px = " + number(in.cxPx) +
+          "\ncy_px = " + number(in.cyPx) + "\nwidth_px = " + std::to_string(in.widthPx) +
+          "\nheight_px = " + std::to_string(in.heightPx) + "\n";
+  if (in.model == DistortionModel::Division)
+    return text + "model = \"division\"\nkappa_per_mm2 = " + number(in.kappa) + "\n";
+  return text + "model = \"polynomial\"\nk1_per_mm2 = " + number(in.k1) + "\nk2_per_mm4 = " + number(in.k2) +
+         "\nk3_per_mm6 = " + number(in.k3) + "\np1_per_mm = " + number(in.p1) + "\np2_per_mm = " + number(in.p2) + "\n";
+}
+
+Intrinsics readIntrinsics(TomlReader& toml, const std::string& at) {
+  Intrinsics in;
+  in.focalMm = toml.number(at + "focal_mm", 1, 1000);
+  in.pixelWidthMm = toml.number(at + "pixel_width_mm", 1e-4, 0.1);
+  in.pixelHeightMm = toml.number(at + "pixel_height_mm", 1e-4, 0.1);
+  in.widthPx = toml.integer(at + "width_px", 32, 20000);
+  in.heightPx = toml.integer(at + "height_px", 32, 20000);
+  // A principal point outside the picture is possible in theory only; it would be a mistake here.
+  in.cxPx = toml.number(at + "cx_px", -0.5, 19999.5);
+  in.cyPx = toml.number(at + "cy_px", -0.5, 19999.5);
+  const std::string model = toml.text(at + "model");
+  if (model == "polynomial") {
+    in.model = DistortionModel::Polynomial;
+    in.k1 = toml.number(at + "k1_per_mm2", -0.1, 0.1);
+    in.k2 = toml.number(at + "k2_per_mm4", -0.01, 0.01);
+    in.k3 = toml.number(at + "k3_per_mm6", -0.001, 0.001);
+    in.p1 = toml.number(at + "p1_per_mm", -0.1, 0.1);
+    in.p2 = toml.number(at + "p2_per_mm", -0.1, 0.1);
+  } else {
+    if (model != "division") toml.refuse(at + "model", "is neither \"division\" nor \"polynomial\"");
+    in.kappa = toml.number(at + "kappa_per_mm2", -0.1, 0.1);
+  }
+  if (in.cxPx > in.widthPx - 0.5) toml.refuse(at + "cx_px", "lies outside the picture; correct it or width_px");
+  if (in.cyPx > in.heightPx - 0.5) toml.refuse(at + "cy_px", "lies outside the picture; correct it or height_px");
+  return in;
+}
+
+template <int N>
+Eigen::Matrix<double, N, 1> readVector(TomlReader& toml, const std::string& key, double limit) {
+  const std::vector<double> values = toml.numbers(key, N);
+  Eigen::Matrix<double, N, 1> v = Eigen::Matrix<double, N, 1>::Zero();
+  if (values.size() != N) return v;  // the reader has noted the error
+  for (int i = 0; i < N; ++i) v(i) = values[static_cast<std::size_t>(i)];
+  if (!(v.cwiseAbs().maxCoeff() <= limit)) toml.refuse(key, "has a value beyond +-" + number(limit));
+  return v;
+}
+
+Extrinsics readExtrinsics(TomlReader& toml, const std::string& at) {
+  Extrinsics pose;
+  const Eigen::Matrix<double, 9, 1> m = readVector<9>(toml, at + "rotation", 1 + kRotationTolerance);
+  pose.rotation << m(0), m(1), m(2), m(3), m(4), m(5), m(6), m(7), m(8);
+  const double error = (pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+  if (!(error < kRotationTolerance) || pose.rotation.determinant() < 0)
+    toml.refuse(at + "rotation", "is no rotation (9 numbers row by row, orthonormal, determinant +1); calibrate again");
+  pose.translationMm = readVector<3>(toml, at + "translation_mm", 1e5);
+  return pose;
+}
+
+LightPlane readLightPlane(TomlReader& toml, const std::string& at) {
+  LightPlane plane;
+  plane.normal = readVector<3>(toml, at + "normal", 1 + kRotationTolerance);
+  if (!(std::abs(plane.normal.norm() - 1) < kRotationTolerance))
+    toml.refuse(at + "normal", "is not of length 1; calibrate again");
+  plane.distanceMm = toml.number(at + "distance_mm", -1e4, 1e4);
+  return plane;
+}
+
+}  // namespace
+
+std::string toToml(const RigCalibration& calibration) {
+  std::string text = "format = 1\nid = " + quoted(calibration.id) + "\ncreated = " + quoted(calibration.created) +
+                     "\nmethod = " + quoted(calibration.method) + "\n";
+  for (const RangeFinderCalibration& finder : calibration.rangeFinders) {
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = finder.cameraFromWorld.rotation;
+    text += "\n[[range_finder]]\nserial = " + quoted(finder.serial) + "\n" + toToml(finder.intrinsics);
+    text += "[range_finder.camera_from_world]\nrotation = " + list({rotation.data(), 9}) +
+            "\ntranslation_mm = " + list({finder.cameraFromWorld.translationMm.data(), 3}) + "\n";
+    text += "[range_finder.light_plane]\nnormal = " + list({finder.lightPlane.normal.data(), 3}) +
+            "\ndistance_mm = " + number(finder.lightPlane.distanceMm) + "\n";
+  }
+  return text;
+}
+
+Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
+  auto opened = TomlReader::load(file);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  TomlReader& toml = *opened;
+  RigCalibration calibration;
+  calibration.id = toml.text("id");
+  calibration.created = toml.text("created");
+  calibration.method = toml.text("method");
+  const std::size_t count = toml.size("range_finder");
+  if (count != kCameraCount)
+    toml.refuse("range_finder", "appears " + std::to_string(count) + " times; a rig has " +
+                                    std::to_string(kCameraCount) + " range finders");
+  for (std::size_t i = 0; i < kCameraCount && i < count; ++i) {
+    const std::string at = "range_finder." + std::to_string(i) + ".";
+    RangeFinderCalibration& finder = calibration.rangeFinders[i];
+    finder.serial = toml.text(at + "serial");
+    finder.intrinsics = readIntrinsics(toml, at + "intrinsics.");
+    finder.cameraFromWorld = readExtrinsics(toml, at + "camera_from_world.");
+    finder.lightPlane = readLightPlane(toml, at + "light_plane.");
+  }
+  if (auto done = toml.finish(); !done) return tl::unexpected<Error>(done.error());
+  return calibration;
+}
+
+Expected<void> saveCalibration(const RigCalibration& calibration, const std::filesystem::path& file) {
+  return writeFile(file, toToml(calibration), true);
+}
+
+}  // namespace vignole
