@@ -18,7 +18,8 @@ struct DimensionException {
   double worstMm = 0;  ///< the value furthest outside
 };
 
-/// Values along the rail in at most RailSummarySettings::trackBins bins; bins are merged in pairs when a rail is longer.
+/// Values along the rail in at most RailSummarySettings::trackBins bins; bins are merged in pairs when a rail is
+/// longer.
 struct TrackBin {
   double positionM = 0;  ///< middle
   double meanMm = 0, minMm = 0, maxMm = 0;
@@ -29,10 +30,10 @@ struct DimensionSummary {
   Dimension dimension = Dimension::RH;
   double nominalMm = 0;
   std::optional<double> lowerMm, upperMm;
-  RunningStatistics values;      ///< over the profiles where it was measured
-  double uMm = 0;                ///< mean standard uncertainty of a single profile
+  RunningStatistics values;  ///< over the profiles where it was measured
+  double uMm = 0;            ///< mean standard uncertainty of a single profile
   std::uint64_t notMeasured = 0;
-  std::string reason;            ///< the most recent reason for not measured
+  std::string reason;  ///< the most recent reason for not measured
   Verdict verdict = Verdict::NotMeasured;
   std::vector<DimensionException> exceptions;
   std::vector<TrackBin> track;
@@ -40,7 +41,7 @@ struct DimensionSummary {
 
 struct RailSummary {
   RailBegin rail;
-  std::string recipe;            ///< name and version
+  std::string recipe;  ///< name and version
   std::string calibrationId;
   double lengthM = 0;
   std::uint64_t profiles = 0;
@@ -49,6 +50,12 @@ struct RailSummary {
   TriggerLedger triggers;
 };
 
+/// Verdict of a dimension over the rail. Fail: an exception, or at least half of its measured profiles fail (short
+/// rails). Near: short of that, minExceptionProfiles consecutive profiles are near or fail, or the mean lies within the
+/// guard band 2 u of a limit (or beyond it). Pass otherwise; NotMeasured without a value; NoLimit without limits.
+/// A profile in which the dimension was not measured neither ends a stretch nor lengthens it: a camera that fails now
+/// and then must not hide a defect. Verdict of the rail: the worst of fail, not measured, near, pass over the
+/// dimensions that have limits.
 struct RailSummarySettings {
   int minExceptionProfiles = 3;
   std::size_t trackBins = 512;
@@ -63,13 +70,24 @@ class RailSummariser {
   [[nodiscard]] RailSummary summary(const TriggerLedger& triggers) const;  ///< so far; may be called at any time
 
  private:
-  RailSummary summary_;
-  RailSummarySettings settings_;
+  /// Consecutive profiles with the same finding, up to the latest.
   struct Run {
     std::uint64_t profiles = 0;
-    double fromM = 0, toM = 0, worstMm = 0, worstBy = 0;
+    double fromM = 0, toM = 0;
+    double worstMm = 0, worstBy = 0;  ///< value furthest outside, and how far
   };
-  PerDimension<Run> runs_{};
+  void addToTrack(DimensionSummary& dimension, double positionM, double valueMm) const;
+  void addToRuns(std::size_t dimension, double positionM, const DimensionResult& result);
+  void widenBins();
+  void appendException(DimensionSummary& dimension, const Run& run) const;
+  [[nodiscard]] Verdict verdictOf(std::size_t dimension, const DimensionSummary& summary) const;
+
+  RailSummary summary_;
+  RailSummarySettings settings_;
+  PerDimension<Run> failing_{};
+  PerDimension<std::uint64_t> notPassing_{};  ///< length of the present stretch of near or fail
+  PerDimension<std::uint64_t> longestNotPassing_{};
+  PerDimension<std::uint64_t> failed_{};  ///< profiles
   double binWidthM_ = 0;
 };
 

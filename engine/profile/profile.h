@@ -39,6 +39,7 @@ struct Profile {
   std::vector<std::uint32_t> lineEnds;                  ///< one past the last point of each line
   std::array<std::uint32_t, kCameraCount> pointsOfCamera{};
   std::array<std::string, kCameraCount> missing;        ///< per camera: empty or the reason
+  std::array<bool, kCameraCount> overloaded{};          ///< the camera's frame was too busy: what it gave may lack parts
   float correlatedPoints = 1;                           ///< a point's error is shared with this many neighbours
   [[nodiscard]] bool complete() const {
     for (const auto& reason : missing)

@@ -1,0 +1,60 @@
+#include "engine/inspection/inspection.h"
+
+#include <utility>
+
+#include "engine/inspection/pipeline.h"
+#include "engine/profile/translate.h"
+#include "engine/stripe/stripe_extractor.h"
+
+namespace vignole {
+
+struct Inspection::Impl {
+  Impl(FrameSource& source, Recipe chosenRecipe, const RigCalibration& calibration, InspectionObserver observer,
+       const InspectionSettings& settings)
+      : recipe(std::move(chosenRecipe)),
+        registrar(recipe.section, recipe.registration),
+        measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement) {
+    for (std::size_t c = 0; c < kCameraCount; ++c) {
+      extractors.emplace_back(recipe.stripe);
+      translators.emplace_back(static_cast<int>(c), calibration.rangeFinders[c]);
+    }
+    pipeline = std::make_unique<Pipeline>(source, work(), std::move(observer), settings);
+  }
+
+  PipelineWork work() {
+    return {
+        [this](int camera, const ImageView& image, StripeResult& result) {
+          extractors[static_cast<std::size_t>(camera)].extract(image, result);
+        },
+        [this](int camera, std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) {
+          translators[static_cast<std::size_t>(camera)].translate(trigger, stripe, result);
+        },
+        // No start from an earlier profile: what is lost or late must not change what is measured next.
+        [this](const RailBegin& rail, const Profile& profile, Registration& registration, Measurement& measurement) {
+          registrar.registerProfile(profile.points, registration);
+          measurer.measure(profile, registration, {rail.temperatureC, rail.temperatureUncertaintyC}, measurement);
+        }};
+  }
+
+  Recipe recipe;
+  std::vector<StripeExtractor> extractors;
+  std::vector<Translator> translators;
+  Registrar registrar;
+  Measurer measurer;
+  std::unique_ptr<Pipeline> pipeline;  // last: its threads end before what they use
+};
+
+Inspection::Inspection(FrameSource& source, Recipe recipe, RigCalibration calibration, InspectionObserver observer,
+                       InspectionSettings settings)
+    : impl_(std::make_unique<Impl>(source, std::move(recipe), calibration, std::move(observer), settings)) {}
+
+Inspection::~Inspection() = default;
+
+void Inspection::start() { impl_->pipeline->start(); }
+void Inspection::stop() { impl_->pipeline->stop(); }
+void Inspection::wait() { impl_->pipeline->wait(); }
+bool Inspection::running() const { return impl_->pipeline->running(); }
+std::vector<StageStatistics> Inspection::stages() const { return impl_->pipeline->stages(); }
+TriggerLedger Inspection::triggers() const { return impl_->pipeline->triggers(); }
+
+}  // namespace vignole

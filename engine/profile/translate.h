@@ -1,0 +1,64 @@
+#pragma once
+// 2D to 3D translation (paper sections II-C, II-E): centre lines in the image become a partial contour in the world, by
+// the map from the image to the light plane.
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine/optics/plane_map.h"
+#include "engine/profile/profile.h"
+#include "engine/stripe/stripe.h"
+
+namespace vignole {
+
+/// Why there is no contour, in the ledger's few words; "" if there is one.
+[[nodiscard]] const char* reasonForNoContour(const StripeResult& stripe);
+
+/// `map(column, row)` gives PlanePoint: world x, y in mm and its derivatives in mm/px. The normal of the contour is
+/// perpendicular to the mapped tangent; sigmaMm is the standard uncertainty along it, sigmaPx |det J| / |J t| (first
+/// order: moving along the contour changes nothing). Rejected lines are left out. Buffers of `result` are reused.
+template <typename Map>
+void translateThrough(const Map& map, int camera, std::uint64_t trigger, const StripeResult& stripe,
+                      PartialContour& result) {
+  result.camera = camera;
+  result.trigger = trigger;
+  result.points.clear();
+  result.lineEnds.clear();
+  result.correlatedPoints = stripe.correlatedPoints;
+  result.backgroundDn = stripe.backgroundDn;
+  result.noiseDn = stripe.noiseDn;
+  result.saturatedShare = stripe.saturatedShare;
+  result.overloaded = stripe.overloaded;
+  for (const StripeLine& line : stripe.lines) {
+    if (line.rejected) continue;
+    for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+      const StripePoint& p = stripe.points[i];
+      const PlanePoint w = map(static_cast<double>(p.x), static_cast<double>(p.y));
+      const double tx = -static_cast<double>(p.ny), ty = static_cast<double>(p.nx);
+      const double wtx = w.dxdc * tx + w.dxdr * ty, wty = w.dydc * tx + w.dydr * ty;
+      const double stretch = std::hypot(wtx, wty);
+      const double determinant = w.dxdc * w.dydr - w.dxdr * w.dydc;
+      // A point that the map sends nowhere (beyond the horizon of the light plane) is no point of the contour.
+      if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
+      result.points.push_back({w.x, w.y, static_cast<float>(-wty / stretch), static_cast<float>(wtx / stretch),
+                               static_cast<float>(static_cast<double>(p.sigmaPx) * std::abs(determinant) / stretch),
+                               p.strength, static_cast<std::uint8_t>(camera), p.flags});
+    }
+    const auto end = static_cast<std::uint32_t>(result.points.size());
+    if (end > (result.lineEnds.empty() ? 0U : result.lineEnds.back())) result.lineEnds.push_back(end);
+  }
+  result.missing = result.points.empty() ? reasonForNoContour(stripe) : "";
+}
+
+/// Of one camera. Immutable: may be used by any thread.
+class Translator {
+ public:
+  Translator(int camera, const RangeFinderCalibration& calibration) : camera_(camera), map_(calibration) {}
+  void translate(std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) const;
+
+ private:
+  int camera_;
+  PlaneMap map_;
+};
+
+}  // namespace vignole
