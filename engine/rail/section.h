@@ -11,6 +11,7 @@
 
 #include "engine/geometry/expected.h"
 #include "engine/geometry/primitive.h"
+#include "engine/rail/dimension.h"
 
 namespace vignole {
 
@@ -41,14 +42,18 @@ struct Section {
   std::string name;
   std::string standard;
   SectionStanding standing = SectionStanding::Standard;
-  std::string note;                         ///< provenance in one line, shown to people
-  std::vector<NamedPrimitive> primitives;   ///< counter-clockwise, each starts where the previous ends
-  double axisFromFootMiddleMm = 0;          ///< rails.md: 0 for symmetric rails, +10.5 for the asymmetric example
+  std::string note;                        ///< provenance in one line, shown to people
+  std::vector<NamedPrimitive> primitives;  ///< counter-clockwise, each starts where the previous ends
+  double axisFromFootMiddleMm = 0;         ///< rails.md: 0 for symmetric rails, +10.5 for the asymmetric example
+  DimensionParameters parameters;          ///< where this section's dimensions are taken, unless a recipe says else
   PublishedValues published;
 
   [[nodiscard]] std::optional<std::size_t> find(std::string_view primitiveName) const;
-  /// Primitives "AHT*<side>*" between SH<side> and the crown etc. are found by walking the outline, not by counting.
+  /// x of the rail's axis in the section frame: the middle of the foot edges plus axisFromFootMiddleMm.
+  [[nodiscard]] double axisXMm() const;
+  /// Height of the crown on the axis.
   [[nodiscard]] double heightMm() const;
+  /// Every primitive has its mirror image at the axis (to 1e-3 mm).
   [[nodiscard]] bool symmetric() const;
 };
 
