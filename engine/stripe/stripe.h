@@ -10,11 +10,11 @@ namespace vignole {
 
 /// Flags of a point, joined by |. A flagged point stays.
 enum StripeFlag : std::uint8_t {
-  kSaturated = 1,   ///< the profile across the line is clipped
-  kLineEnd = 2,     ///< within 3 sigma of an end of the line
-  kGapEdge = 4,     ///< next to a gap that was bridged
-  kCrosstalk = 8,   ///< may belong to a neighbour's laser
-  kRejected = 16,   ///< on a line that lost against a competitor
+  kSaturated = 1,  ///< the profile across the line is clipped
+  kLineEnd = 2,    ///< within 3 sigma of an end of the line
+  kGapEdge = 4,    ///< next to a gap that was bridged
+  kCrosstalk = 8,  ///< may belong to a neighbour's laser
+  kRejected = 16,  ///< on a line that lost against a competitor
 };
 
 struct StripePoint {
@@ -48,12 +48,12 @@ struct StripeSettings {
 struct StripeResult {
   std::vector<StripePoint> points;  ///< all lines one after the other, rejected lines last
   std::vector<StripeLine> lines;
-  float noiseDn = 0;                ///< measured standard deviation of a pixel, DN
-  float backgroundDn = 0;           ///< median background, DN
-  float saturatedShare = 0;         ///< share of the line's points that are saturated
+  float noiseDn = 0;         ///< measured standard deviation of a pixel, DN
+  float backgroundDn = 0;    ///< median background, DN
+  float saturatedShare = 0;  ///< share of the line's points that are saturated
   /// Number of neighbouring points over which the error of a point is correlated after smoothing (>= 1).
   float correlatedPoints = 1;
-  bool overloaded = false;          ///< texture everywhere: capped by StripeSettings::maxBlocks
+  bool overloaded = false;  ///< texture everywhere: capped by StripeSettings::maxBlocks
 };
 
 }  // namespace vignole

@@ -13,6 +13,13 @@ namespace vignole {
 /// Refuses values out of range (sigma 1..8, 0 < low <= high, gapAngle 0..90 ...), naming the field.
 [[nodiscard]] Expected<StripeSettings> checked(const StripeSettings& settings);
 
+/// Noise never makes a line: t_l and t_h, as second derivatives t / (2 sqrt(2) sigma^2) (a stripe as wide as the
+/// filter), are raised to these multiples of the noise of the second derivative, sn sqrt(3 / (16 pi)) / sigma^3.
+inline constexpr double kLowNoiseFactor = 4, kHighNoiseFactor = 7;
+
+/// Name of the SIMD target in use (Highway's words): bits are equal on the same target, 1e-6 px elsewhere.
+[[nodiscard]] const char* stripeSimdTarget();
+
 /// One per thread. Same image, same settings, same bits.
 class StripeExtractor {
  public:

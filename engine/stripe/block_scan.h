@@ -1,0 +1,67 @@
+#pragma once
+// First look at a frame, at the speed of memory: where is there light, how noisy is a pixel. Works on 8 x 8 blocks.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/geometry/image_view.h"
+
+namespace vignole {
+
+inline constexpr int kBlock = 8;  ///< side of a block, px
+
+struct BlockScanSettings {
+  int radius = 3;            ///< the background of a block is the darkest of the blocks that far around it (<= 8)
+  double leastContrast = 2;  ///< a block counts when its mean is that far above its background, DN ...
+  double noiseFactor = 4.5;  ///< ... and at least this many standard deviations of a block's mean
+  int maxBlocks = 9000;      ///< budget; of more blocks the brightest are kept and the scan says `overloaded`
+};
+
+/// Blocks `first` .. `first + count` of block row `row`, side by side.
+struct BlockRun {
+  std::uint16_t row = 0, first = 0, count = 0;
+};
+
+/// Buffers live from frame to frame. Blocks cut by the right or lower edge have their sums scaled to 64 pixels.
+class BlockScan {
+ public:
+  void scan(const ImageView& image, const BlockScanSettings& settings);
+
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] const std::vector<BlockRun>& runs() const { return runs_; }
+  [[nodiscard]] std::size_t candidates() const { return candidates_; }
+  [[nodiscard]] bool overloaded() const { return overloaded_; }
+  /// Standard deviation of a pixel, DN, from neighbours in the median block; at least that of rounding, 1/sqrt(12).
+  [[nodiscard]] float noiseDn() const { return noiseDn_; }
+  /// Median of the blocks, DN.
+  [[nodiscard]] float backgroundDn() const { return backgroundDn_; }
+  /// Mean of the background around the block that holds pixel (x, y), DN.
+  [[nodiscard]] float backgroundAt(int x, int y) const;
+
+ private:
+  using Grid = std::vector<std::uint16_t>;
+  void resize(const ImageView& image);
+  void sumBlocks(const ImageView& image);
+  void measureNoise();
+  void findBackground(int radius);
+  void markCandidates(const BlockScanSettings& settings);
+  void capCandidates(std::size_t maxBlocks);
+  void collectRuns();
+  [[nodiscard]] std::uint16_t* at(Grid& grid, int row) { return grid.data() + offset(row); }
+  [[nodiscard]] std::size_t offset(int row) const;
+
+  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  std::size_t pitch_ = 0, candidates_ = 0;
+  bool overloaded_ = false;
+  float noiseDn_ = 0, backgroundDn_ = 0;
+  float minimumBiasDn_ = 0;  // how far the darkest of a window lies below its mean because of noise
+  // Grids with a margin around them, so that windows need no bounds.
+  Grid sums_, rowMinima_, background_, excess_, marks_;
+  std::vector<std::uint16_t> differences_, sampled_;  // of the block rows that are sampled for the noise
+  std::vector<std::uint32_t> histogram_;
+  std::vector<BlockRun> runs_;
+};
+
+}  // namespace vignole

@@ -1,0 +1,63 @@
+#include "engine/stripe/ridge_points.h"
+
+#include <algorithm>
+
+namespace vignole {
+namespace {
+constexpr int kReadAhead = 64;  // the kernel reads whole vectors
+}
+
+RidgePoints::RidgePoints() : band_(std::make_unique<RidgeBand>()) {}
+
+int RidgePoints::indexAt(int column, int row) const {
+  if (column < 0 || row < 0 || column >= width_ || row >= height_) return -1;
+  const auto block = static_cast<std::size_t>((row / kBlock) * columns_ + column / kBlock);
+  const auto pixel = static_cast<std::size_t>((row % kBlock) * kBlock + column % kBlock);
+  return static_cast<int>(tiles_[tileOfBlock_[block]][pixel]) - 1;
+}
+
+const std::uint8_t* RidgePoints::padded(const ImageView& image, int column, int row, int width, int height) {
+  padding_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::uint8_t* out = padding_.data();
+  for (int y = row; y < row + height; ++y) {
+    const std::uint8_t* in = image.row(std::clamp(y, 0, image.height - 1));
+    for (int x = column; x < column + width; ++x) *out++ = in[std::clamp(x, 0, image.width - 1)];
+  }
+  return padding_.data();
+}
+
+void RidgePoints::findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width) {
+  const int left = column - filter.radius - 1, top = row - filter.radius - 1;
+  const int across = width + 2 * filter.radius + 2 + kReadAhead, down = kBandHeight + 2 * filter.radius + 2;
+  const bool inside = left >= 0 && top >= 0 && left + across <= image.width && top + down <= image.height;
+  const std::uint8_t* pixels = inside ? image.row(top) + left : padded(image, left, top, across, down);
+  const std::ptrdiff_t stride = inside ? image.stride : across;
+  for (const RidgePoint& p : findRidgePoints(pixels, stride, width, column, row, filter, *band_)) {
+    if (p.column >= image.width || p.row >= image.height) continue;  // of a block that the edge cuts
+    points_.push_back(p);
+    const auto block = static_cast<std::size_t>((p.row / kBlock) * columns_ + p.column / kBlock);
+    const auto pixel = static_cast<std::size_t>((p.row % kBlock) * kBlock + p.column % kBlock);
+    tiles_[tileOfBlock_[block]][pixel] = static_cast<std::uint32_t>(points_.size());
+  }
+}
+
+void RidgePoints::find(const ImageView& image, const BlockScan& scan, const RidgeFilter& filter) {
+  width_ = image.width;
+  height_ = image.height;
+  columns_ = scan.columns();
+  points_.clear();
+  tileOfBlock_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(scan.rows()), 0);
+  tiles_.resize(scan.candidates() + 1);
+  std::fill(tiles_.begin(), tiles_.end(), Tile{});
+  std::uint16_t tile = 0;
+  for (const BlockRun& run : scan.runs()) {
+    for (int c = 0; c < run.count; ++c)
+      tileOfBlock_[static_cast<std::size_t>(run.row) * static_cast<std::size_t>(columns_) +
+                   static_cast<std::size_t>(run.first + c)] = ++tile;
+    constexpr int kStep = kMaxBandWidth / kBlock;
+    for (int c = 0; c < run.count; c += kStep)
+      findInBand(image, filter, (run.first + c) * kBlock, run.row * kBlock, std::min(kStep, run.count - c) * kBlock);
+  }
+}
+
+}  // namespace vignole
