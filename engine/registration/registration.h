@@ -17,12 +17,12 @@
 namespace vignole {
 
 struct RegistrationSettings {
-  double startScaleMm = 60;      ///< Tukey scale of the first pass without a starting pose
-  double trackScaleMm = 6;       ///< the same with one
-  double inlierMm = 0.1;         ///< a point is an inlier below max(3 sigma, this)
-  double assignMm = 3.0;         ///< points further from their primitive are not assigned
-  double maxRmsMm = 1.0;         ///< registration fails above
-  double minInlierShare = 0.3;   ///< and below
+  double startScaleMm = 60;     ///< Tukey scale of the first pass without a starting pose
+  double trackScaleMm = 6;      ///< the same with one
+  double inlierMm = 0.1;        ///< a point is an inlier below max(3 sigma, this)
+  double assignMm = 3.0;        ///< points further from their primitive are not assigned
+  double maxRmsMm = 1.0;        ///< registration fails above
+  double minInlierShare = 0.3;  ///< and below
 };
 
 struct PrimitiveResidual {
@@ -34,15 +34,15 @@ struct PrimitiveResidual {
 
 struct Registration {
   bool valid = false;
-  std::string reason;              ///< why not valid
-  Transform2 worldFromSection;     ///< the pose: data from section
+  std::string reason;                                    ///< why not valid
+  Transform2 worldFromSection;                           ///< the pose: data from section
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y (mm), angle (rad) about the section centre
-  double rmsMm = 0;                ///< over inliers, |r| < max(3 sigma, 0.1 mm)
+  double rmsMm = 0;                                      ///< over inliers, |r| < max(3 sigma, 0.1 mm)
   int inliers = 0;
   int points = 0;
   int iterations = 0;
-  double timeUs = 0;               ///< registration alone
-  double chi2 = 0;                 ///< per inlier-or-near point, robust
+  double timeUs = 0;                           ///< registration alone
+  double chi2 = 0;                             ///< per inlier-or-near point, robust
   std::vector<std::int16_t> primitiveOfPoint;  ///< index into Section::primitives, -1 outlier
   std::vector<float> residualMm;               ///< signed, > 0 outside the section
   std::vector<PrimitiveResidual> primitives;   ///< one per primitive of the section
@@ -57,12 +57,23 @@ class Registrar {
   Registrar& operator=(Registrar&&) noexcept;
 
   /// `start`: expected worldFromSection (never taken from an earlier profile: determinism), or none.
+  /// `correlatedPoints`: Profile::correlatedPoints, widens the covariance.
   void registerProfile(std::span<const ProfilePoint> points, Registration& result,
-                       const std::optional<Transform2>& start = {});
+                       const std::optional<Transform2>& start = {}, double correlatedPoints = 1);
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// How well a profile fits one rail: mean over all points of min(distance, 1 mm)^2 / sigma^2 at the best pose, so that
+/// points which a wrong rail leaves far away count against it. 1 on the right rail without outliers.
+struct RailMatch {
+  std::string rail;
+  double chi2 = 0;
+};
+/// Best first. Points as for registerProfile.
+[[nodiscard]] std::vector<RailMatch> bestMatch(std::span<const ProfilePoint> points, std::span<const Section> sections,
+                                               const RegistrationSettings& settings = {});
 
 }  // namespace vignole
