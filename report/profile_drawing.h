@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QRectF>
 #include <optional>
+#include <string>
 
 #include "engine/measurement/measurement.h"
 #include "engine/profile/profile.h"
@@ -24,11 +25,14 @@ struct ProfileDrawing {
   double magnification = 20;  ///< of deviations, 1 .. 100
   ProfileView view = ProfileView::Whole;
   bool byCamera = false;
-  bool held = false;  ///< the source stopped: grey
+  bool held = false;                                ///< the source stopped: grey
+  std::string heldNote;                             ///< "last profile at 23.18 m, 2 min ago"; below the word Held
+  const DimensionParameters* parameters = nullptr;  ///< where the dimensions are taken; null: the defaults
   std::optional<Dimension> selected;
 };
 
-/// Fills `area`, legend and scale bars included; text in pixels scales with painter and font settings of the caller.
+/// Fills `area`, legend and scale bars included, ground not. The painter's font is body text (16 px in the mock-ups):
+/// it gives the family, and all other text scales with its size. Thread: any that may paint.
 void paintProfile(QPainter& painter, const QRectF& area, const ProfileDrawing& drawing, const Palette& palette);
 
 }  // namespace vignole

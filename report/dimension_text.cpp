@@ -1,0 +1,101 @@
+#include "report/dimension_text.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+namespace vignole {
+
+namespace {
+
+constexpr QChar kMinus(0x2212);
+constexpr double kIndexSize = 0.74;    // of the name's type size
+constexpr double kIndexLowered = 0.2;  // of the name's type size
+
+struct NameParts {
+  QString stem, index;
+};
+
+NameParts partsOf(Dimension dimension) {
+  const std::string_view whole = name(dimension);
+  const std::size_t split = whole.find('_');
+  const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); };
+  if (split == std::string_view::npos) return {text(whole), {}};
+  return {text(whole.substr(0, split)), text(whole.substr(split + 1))};
+}
+
+QFont indexFont(const QFont& font) {
+  QFont small = font;
+  small.setPixelSize(std::max(1, static_cast<int>(std::lround(font.pixelSize() * kIndexSize))));
+  return small;
+}
+
+}  // namespace
+
+int decimalsOf(Dimension dimension) { return dimension == Dimension::HR ? 1 : 3; }
+
+QString numberText(double value, int decimals) {
+  const double half = 0.5 * std::pow(10.0, -decimals);
+  QString digits = QString::number(std::abs(value), 'f', decimals);
+  return value <= -half ? kMinus + digits : digits;
+}
+
+QString deviationText(double value, int decimals) {
+  const double half = 0.5 * std::pow(10.0, -decimals);
+  const QString text = numberText(value, decimals);
+  return value >= half ? u'+' + text : text;
+}
+
+QString wordOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return QStringLiteral("Good");
+    case Verdict::Near:
+      return QStringLiteral("Near limit");
+    case Verdict::Fail:
+      return QStringLiteral("Out");
+    case Verdict::NoLimit:
+      return QStringLiteral("No limit");
+    case Verdict::NotMeasured:
+      break;
+  }
+  return QStringLiteral("Not measured");
+}
+
+QString verdictSentence(Dimension dimension, const DimensionResult& result) {
+  if (!result.valueMm)
+    return QStringLiteral("not measured, because ") +
+           (result.reason.empty() ? QStringLiteral("no points") : QString::fromStdString(result.reason));
+  if (result.verdict != Verdict::Fail) return wordOf(result.verdict);
+  // rails.md: the lower limit of HF judges HF_min; FC is judged on what is concave only.
+  const double high = dimension == Dimension::FC ? std::max(0.0, *result.valueMm) : *result.valueMm;
+  const double low = dimension == Dimension::HF && result.secondMm ? *result.secondMm : high;
+  const double above = result.upperMm ? high - *result.upperMm : -1;
+  const double below = result.lowerMm ? *result.lowerMm - low : -1;
+  const int decimals = decimalsOf(dimension);
+  if (above >= below && above > 0) return numberText(above, decimals) + QStringLiteral(" above the limit");
+  if (below > 0) return numberText(below, decimals) + QStringLiteral(" below the limit");
+  return QStringLiteral("Out of tolerance");
+}
+
+double drawDimensionName(QPainter& painter, const QPointF& baseLine, Dimension dimension) {
+  const NameParts parts = partsOf(dimension);
+  const QFont font = painter.font();
+  painter.drawText(baseLine, parts.stem);
+  if (parts.index.isEmpty()) return QFontMetricsF(font).horizontalAdvance(parts.stem);
+  const double stem = QFontMetricsF(font).horizontalAdvance(parts.stem) + 0.03 * font.pixelSize();
+  const QFont small = indexFont(font);
+  painter.setFont(small);
+  painter.drawText(baseLine + QPointF(stem, kIndexLowered * font.pixelSize()), parts.index);
+  painter.setFont(font);
+  return stem + QFontMetricsF(small).horizontalAdvance(parts.index);
+}
+
+double dimensionNameWidth(const QFont& font, Dimension dimension) {
+  const NameParts parts = partsOf(dimension);
+  const double stem = QFontMetricsF(font).horizontalAdvance(parts.stem);
+  if (parts.index.isEmpty()) return stem;
+  return stem + 0.03 * font.pixelSize() + QFontMetricsF(indexFont(font)).horizontalAdvance(parts.index);
+}
+
+}  // namespace vignole

@@ -1,0 +1,267 @@
+#include "report/profile_callouts.h"
+
+#include <QFontMetricsF>
+#include <QPen>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+
+#include "report/dimension_text.h"
+#include "report/typeface.h"
+
+namespace vignole {
+
+namespace {
+
+// Sizes of the mock-ups in px at scale 1.
+constexpr double kTitlePx = 22, kDetailPx = 16, kSymbolPx = 26;
+constexpr double kPaddingPx = 12, kBarPx = 6, kTextGapPx = 8;
+constexpr double kWidestDetailPx = 232;
+constexpr double kArrowLengthPx = 11, kArrowHalfPx = 4;
+constexpr double kTailPx = 44;          // of an arrow that points inwards from outside
+constexpr double kShortMeasurePx = 70;  // below, arrows stand outside
+constexpr std::size_t kMostCallouts = 3;
+
+const QColor& inkOf(Verdict verdict, bool held, const Palette& palette) {
+  if (held) return palette.t3;
+  switch (verdict) {
+    case Verdict::Fail:
+      return palette.out;
+    case Verdict::Near:
+      return palette.nearInk;
+    case Verdict::NotMeasured:
+      return palette.invalid;
+    case Verdict::Pass:
+    case Verdict::NoLimit:
+      break;
+  }
+  return palette.t1;
+}
+
+bool isHorizontal(Dimension d) {
+  return d == Dimension::FW || d == Dimension::HW || d == Dimension::HWA || d == Dimension::WT ||
+         d == Dimension::RASl || d == Dimension::RASr;
+}
+
+bool isGap(Dimension d) { return d == Dimension::RASl || d == Dimension::RASr; }
+
+/// How far beyond its limit, as a share of the tolerance, so that unlike dimensions compare.
+double excess(Dimension d, const DimensionResult& r) {
+  if (!r.valueMm) return 0;
+  const double high = d == Dimension::FC ? std::max(0.0, *r.valueMm) : *r.valueMm;
+  const double low = d == Dimension::HF && r.secondMm ? *r.secondMm : high;
+  const double width = r.lowerMm && r.upperMm ? *r.upperMm - *r.lowerMm
+                                              : 2 * std::abs(r.upperMm.value_or(r.lowerMm.value_or(0)) - r.nominalMm);
+  if (width <= 0) return 0;
+  double beyond = -1e9;
+  if (r.upperMm) beyond = std::max(beyond, high - *r.upperMm);
+  if (r.lowerMm) beyond = std::max(beyond, *r.lowerMm - low);
+  return beyond / width;
+}
+
+std::vector<Dimension> dimensionsToName(const ProfileDrawing& drawing) {
+  std::vector<Dimension> named;
+  const auto& results = drawing.measurement->dimensions;
+  if (!drawing.held) {
+    const auto rank = [&](Dimension d) {
+      const DimensionResult& r = results[index(d)];
+      return (r.verdict == Verdict::Fail ? 1e6 : 0.0) + excess(d, r);
+    };
+    for (const Dimension d : kDimensions) {
+      const Verdict verdict = results[index(d)].verdict;
+      if (verdict == Verdict::Fail || verdict == Verdict::Near) named.push_back(d);
+    }
+    std::stable_sort(named.begin(), named.end(), [&](Dimension a, Dimension b) { return rank(a) > rank(b); });
+    if (named.size() > kMostCallouts) named.resize(kMostCallouts);
+  }
+  if (drawing.selected && std::find(named.begin(), named.end(), *drawing.selected) == named.end())
+    named.push_back(*drawing.selected);
+  return named;
+}
+
+}  // namespace
+
+ProfileCallouts::ProfileCallouts(QPainter& painter, const DrawingFrame& frame, const Palette& palette, double scale,
+                                 FreeSpace& space)
+    : painter_(painter), frame_(frame), palette_(palette), scale_(scale), space_(space) {}
+
+void ProfileCallouts::paintDimensions(const ProfileDrawing& drawing) {
+  if (drawing.measurement == nullptr) return;
+  for (const Dimension d : dimensionsToName(drawing)) paintDimension(drawing, d);
+}
+
+void ProfileCallouts::paintDimension(const ProfileDrawing& drawing, Dimension d) {
+  const DimensionResult& result = drawing.measurement->dimensions[index(d)];
+  const bool abnormal = result.verdict != Verdict::Pass && result.verdict != Verdict::NoLimit && !drawing.held;
+
+  Callout callout;
+  callout.dimension = d;
+  callout.ink = inkOf(result.verdict, drawing.held, palette_);
+  if (result.valueMm) callout.title = numberText(*result.valueMm, decimalsOf(d));
+  if (drawing.held && result.valueMm) callout.symbol = StateSymbol::Held;
+  if (abnormal) {
+    callout.symbol = symbolOf(result.verdict);
+    callout.detail = verdictSentence(d, result);
+    if (result.verdict == Verdict::Fail) callout.ground = palette_.outSoft;
+    if (result.verdict == Verdict::NotMeasured) callout.ground = palette_.invalidSoft;
+  }
+  callout.wishedY = frame_.area.center().y();
+
+  std::vector<QPointF> anchors;
+  if (drawing.registration != nullptr && drawing.registration->valid && result.valueMm) {
+    const Transform2 sectionFromWorld = drawing.registration->worldFromSection.inverse();
+    for (const Point2& world : result.anchors) anchors.push_back(frame_.map(sectionFromWorld * world));
+  }
+  painter_.setPen(QPen(callout.ink, 1.75));
+  if (anchors.size() < 2) {
+    if (!anchors.empty()) {
+      callout.target = anchors.front();
+      callout.wishedY = anchors.front().y();
+    }
+    paint(callout);
+    return;
+  }
+
+  QPointF a = anchors[0], b = anchors[1];
+  if (isHorizontal(d)) {
+    if (a.x() > b.x()) std::swap(a, b);
+    callout.leftSide = d == Dimension::RASl;
+    // RAS: the foot edge lies far below the head side; it is carried up to where the arrow stands.
+    const double level = isGap(d) ? std::min(a.y(), b.y()) : 0.5 * (a.y() + b.y());
+    if (isGap(d)) {
+      const QPointF foot = a.y() > b.y() ? a : b;
+      painter_.setPen(QPen(QBrush(callout.ink), 1, Qt::CustomDashLine));
+      QPen dashed = painter_.pen();
+      dashed.setDashPattern({6, 4});
+      painter_.setPen(dashed);
+      painter_.drawLine(foot, QPointF(foot.x(), level - 10 * scale_));
+      space_.occupy(QRectF(QPointF(std::min(a.x(), b.x()), level - 2), QPointF(std::max(a.x(), b.x()), level + 2)));
+    }
+    a.setY(level);
+    b.setY(level);
+    callout.wishedY = isGap(d) ? level - 40 * scale_ : level;
+    const bool outside = !isGap(d);
+    const QRectF box = space_.find(sizeOf(callout, callout.detail), callout.leftSide, callout.wishedY);
+    const bool reached = outside && level > box.top() && level < box.bottom();
+    const double tail = reached && !callout.leftSide ? box.left() - b.x() - (callout.ground ? 0 : 6) : kTailPx * scale_;
+    painter_.setPen(QPen(callout.ink, 1.75));
+    measureLine(a, b, outside, kTailPx * scale_);
+    if (outside) painter_.drawLine(b, b + QPointF(std::max(tail, kTailPx * scale_), 0));
+    if (!reached && outside) callout.target = b + QPointF(kTailPx * scale_, 0);
+    paint(callout);
+    return;
+  }
+
+  if (d == Dimension::HR) {
+    // A radius: one arrow from inside to the crown, along the normal.
+    const QPointF crown = anchors[anchors.size() / 2];
+    painter_.drawLine(crown, crown + QPointF(0, kTailPx * scale_));
+    arrow(crown, QPointF(0, -1));
+    callout.target = crown + QPointF(0, kTailPx * scale_);
+    callout.wishedY = callout.target->y();
+    paint(callout);
+    return;
+  }
+  for (std::size_t pair = 0; pair + 1 < anchors.size() && pair < 4; pair += 2) {
+    QPointF low = anchors[pair], high = anchors[pair + 1];
+    if (low.y() < high.y()) std::swap(low, high);
+    const double x = 0.5 * (low.x() + high.x());
+    low.setX(x);
+    high.setX(x);
+    const bool outside = low.y() - high.y() < kShortMeasurePx * scale_;
+    painter_.setPen(QPen(callout.ink, 1.75));
+    measureLine(high, low, outside, kTailPx * scale_);
+    callout.target = outside ? high + QPointF(0, -kTailPx * scale_) : 0.5 * (low + high);
+  }
+  callout.leftSide = d == Dimension::FTl;
+  callout.wishedY = callout.target->y();
+  paint(callout);
+}
+
+void ProfileCallouts::measureLine(const QPointF& a, const QPointF& b, bool outside, double tailPx) {
+  const QPointF delta = b - a;
+  const double long_ = std::hypot(delta.x(), delta.y());
+  if (long_ < 1e-6) return;
+  const QPointF along = delta / long_;
+  if (outside) {
+    painter_.drawLine(a, a - along * tailPx);
+    painter_.drawLine(b, b + along * tailPx);
+    arrow(a, along);
+    arrow(b, -along);
+  } else {
+    painter_.drawLine(a, b);
+    arrow(a, -along);
+    arrow(b, along);
+  }
+}
+
+void ProfileCallouts::arrow(const QPointF& tip, const QPointF& direction) {
+  const QPointF across(-direction.y(), direction.x());
+  const QPointF base = tip - direction * (kArrowLengthPx * scale_);
+  const QPointF half = across * (kArrowHalfPx * scale_);
+  const QPen pen = painter_.pen();
+  painter_.setPen(Qt::NoPen);
+  painter_.setBrush(pen.color());
+  painter_.drawPolygon(QPolygonF{{tip, base + half, base - half}});
+  painter_.setPen(pen);
+  painter_.setBrush(Qt::NoBrush);
+}
+
+QSizeF ProfileCallouts::sizeOf(const Callout& callout, const QString& detail) const {
+  const QFont titleFont = typeface(kTitlePx * scale_, QFont::Medium);
+  double titleWidth = callout.symbol ? (kSymbolPx + kTextGapPx) * scale_ : 0;
+  if (callout.dimension) titleWidth += dimensionNameWidth(titleFont, *callout.dimension) + kTextGapPx * scale_;
+  titleWidth += QFontMetricsF(titleFont).horizontalAdvance(callout.title);
+  double width = titleWidth, height = 30 * scale_;
+  if (!detail.isEmpty()) {
+    const QFontMetricsF metrics(typeface(kDetailPx * scale_));
+    const QRectF text = metrics.boundingRect(QRectF(0, 0, kWidestDetailPx * scale_, 1000), Qt::TextWordWrap, detail);
+    width = std::max(width, text.width() + 2);
+    height += text.height() + 2 * scale_;
+  }
+  if (callout.ground) return {width + 2 * kPaddingPx * scale_ + kBarPx * scale_, height + 1.2 * kPaddingPx * scale_};
+  return {width, height};
+}
+
+void ProfileCallouts::paint(const Callout& callout) {
+  const QRectF box = space_.find(sizeOf(callout, callout.detail), callout.leftSide, callout.wishedY);
+  space_.occupy(box);
+  if (callout.target) leader(*callout.target, box, callout.ink);
+  paintBox(callout, box, callout.detail);
+}
+
+void ProfileCallouts::leader(const QPointF& from, const QRectF& box, const QColor& ink) {
+  const bool toTheRight = from.x() < box.left();
+  const double x = toTheRight ? box.left() - 2 : box.right() + 2;
+  painter_.setPen(QPen(ink, 1.5));
+  painter_.drawLine(from, QPointF(x, std::clamp(from.y(), box.top() + 4, box.bottom() - 4)));
+}
+
+void ProfileCallouts::paintBox(const Callout& callout, const QRectF& box, const QString& detail) {
+  QPointF at = box.topLeft();
+  painter_.setPen(Qt::NoPen);
+  if (callout.ground) {
+    painter_.fillRect(box, *callout.ground);
+    painter_.fillRect(QRectF(box.topLeft(), QSizeF(kBarPx * scale_, box.height())), callout.ink);
+    at += QPointF((kBarPx + kPaddingPx) * scale_, 0.6 * kPaddingPx * scale_);
+  }
+  const double left = at.x();
+  if (callout.symbol) {
+    paintSymbol(painter_, QRectF(at + QPointF(0, 2 * scale_), QSizeF(kSymbolPx * scale_, kSymbolPx * scale_)),
+                *callout.symbol, palette_);
+    at.rx() += (kSymbolPx + kTextGapPx) * scale_;
+  }
+  painter_.setPen(palette_.t1);
+  painter_.setFont(typeface(kTitlePx * scale_, QFont::Medium));
+  const QPointF baseLine = at + QPointF(0, 23 * scale_);
+  double advance = 0;
+  if (callout.dimension) advance = drawDimensionName(painter_, baseLine, *callout.dimension) + kTextGapPx * scale_;
+  painter_.drawText(baseLine + QPointF(advance, 0), callout.title);
+  if (detail.isEmpty()) return;
+  painter_.setFont(typeface(kDetailPx * scale_));
+  painter_.setPen(callout.ground ? palette_.t1 : palette_.t2);
+  painter_.drawText(QRectF(left, at.y() + 32 * scale_, (kWidestDetailPx + 4) * scale_, box.height()),
+                    Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop, detail);
+}
+
+}  // namespace vignole
