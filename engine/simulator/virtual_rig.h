@@ -22,17 +22,17 @@ namespace vignole {
 
 /// Amplitudes of the effects; --effect NAME=on|off|VALUE changes each (off is 0, on its default).
 struct Effects {
-  double readNoiseDn = 3;            ///< read-noise: standard deviation
-  double shotNoise = 1;              ///< shot-noise: multiple of 10,000 electrons at 60 DN ... see virtual_rig.cpp
-  double speckle = 0.22;             ///< speckle: contrast; grain 2 px
-  double scale = 0.15;               ///< scale: share of the length covered by mill scale (reflectance x 0.3-0.7)
-  double reflections = 0.15;         ///< reflections: strength of secondary reflections
-  double crosstalk = 0.03;           ///< crosstalk: share of the other wavelength that passes the filter
-  double ambientDn = 12;             ///< ambient: background
-  double defocus = 1;                ///< defocus: multiple of the thin lens' blur at f/8
-  double motion = 1;                 ///< motion: share of the exposure over which movement is integrated
-  double wander = 1;                 ///< wander: multiple of +-5 mm, +-1 deg below 0.3 Hz
-  double vibration = 1;              ///< vibration: multiple of 0.05 mm rms at 5-30 Hz
+  double readNoiseDn = 3;     ///< read-noise: standard deviation
+  double shotNoise = 1;       ///< shot-noise: multiple of 10,000 electrons at 60 DN ... see virtual_rig.cpp
+  double speckle = 0.22;      ///< speckle: contrast; grain 2 px
+  double scale = 0.15;        ///< scale: share of the length covered by mill scale (reflectance x 0.3-0.7)
+  double reflections = 0.15;  ///< reflections: strength of secondary reflections
+  double crosstalk = 0.03;    ///< crosstalk: share of the other wavelength that passes the filter
+  double ambientDn = 12;      ///< ambient: background
+  double defocus = 1;         ///< defocus: multiple of the thin lens' blur at f/8
+  double motion = 1;          ///< motion: share of the exposure over which movement is integrated
+  double wander = 1;          ///< wander: multiple of +-5 mm, +-1 deg below 0.3 Hz
+  double vibration = 1;       ///< vibration: multiple of 0.05 mm rms at 5-30 Hz
 };
 /// Name (as on the command line) and value of each effect, for the JSON.
 [[nodiscard]] std::vector<std::pair<std::string, double>> list(const Effects& effects);
@@ -44,8 +44,8 @@ struct Effects {
 struct Fault {
   std::string kind;
   double value = 0;
-  std::string text;                   ///< for wrong-rail: the section
-  int camera = -1;                    ///< 0..3, -1 all
+  std::string text;                    ///< for wrong-rail: the section
+  int camera = -1;                     ///< 0..3, -1 all
   std::uint64_t from = 0, to = ~0ULL;  ///< triggers, inclusive
 };
 [[nodiscard]] Expected<Fault> parseFault(const std::string& specification);
@@ -53,15 +53,15 @@ struct Fault {
 struct VirtualRigSettings {
   Section section;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> rigSeed;      ///< draws the rig itself; default: the seed
+  std::optional<std::uint64_t> rigSeed;  ///< draws the rig itself; default: the seed
   double spacingMm = 15;
   double speedMmPerS = 1000;
-  double temperatureC = 20;                  ///< the rail is that much longer than at 15 degrees C
+  double temperatureC = 20;  ///< the rail is that much longer than at 15 degrees C
   Effects effects;
   PerDimension<std::optional<double>> deviationMm{};  ///< constant deviation from nominal in place of the law's
-  bool varyDimensions = true;                ///< false: nominal but for deviationMm
+  bool varyDimensions = true;                         ///< false: nominal but for deviationMm
   std::vector<Fault> faults;
-  DimensionParameters parameters;            ///< where the truth is taken
+  DimensionParameters parameters;  ///< where the truth is taken
 };
 
 /// Dimensions of the section that was rendered, at 15 degrees C, by code of its own. HF: the signed value of HF_max.
@@ -101,8 +101,8 @@ class VirtualRig {
 struct VirtualSourceSettings {
   int rails = 1;
   double lengthMm = 60000;
-  bool paced = false;          ///< real time by speed and spacing: live, drops when late
-  std::size_t buffers = 24;    ///< per camera
+  bool paced = false;        ///< real time by speed and spacing: live, drops when late
+  std::size_t buffers = 24;  ///< per camera
 };
 [[nodiscard]] std::unique_ptr<FrameSource> makeVirtualSource(std::shared_ptr<const VirtualRig> rig,
                                                              const VirtualSourceSettings& settings);

@@ -1,0 +1,38 @@
+#pragma once
+// Where the cameras and lasers of the virtual rig stand: rig C of the optics design, section 2, with the lasers at 480
+// mm, and the small deviations from it that a rig seed draws.
+
+#include <array>
+#include <cstdint>
+
+#include "engine/geometry/transform2.h"
+#include "engine/optics/calibration.h"
+
+namespace vignole::simulator {
+
+/// A fan of light in the plane z = 0.
+struct Laser {
+  Point2 positionMm{0, 0};
+  Point2 direction{1, 0};  ///< unit, the middle of the fan
+  double halfFanRad = 0;
+  double wavelengthNm = 660;
+};
+
+/// Finder i is camera i + 1 and the laser beside it: upper left, upper right, lower right, lower left.
+struct RigGeometry {
+  RigCalibration calibration;
+  std::array<Laser, kCameraCount> lasers;
+  std::array<double, kCameraCount> focusMm{};  ///< distance along the optical axis that is in focus
+};
+
+/// The light planes are z = 0 exactly, so the calibration is exact.
+[[nodiscard]] RigGeometry drawRig(std::uint64_t rigSeed);
+
+/// Camera centre in the world, mm.
+[[nodiscard]] Point3 cameraCentre(const Extrinsics& cameraFromWorld);
+
+/// Extrinsics of a camera that stands at distanceMm from `aim` (a point of z = 0), at `azimuthRad` in the plane and
+/// `elevationRad` out of it, and looks at it; rows run along +z of the world.
+[[nodiscard]] Extrinsics lookAt(const Point2& aim, double azimuthRad, double elevationRad, double distanceMm);
+
+}  // namespace vignole::simulator
