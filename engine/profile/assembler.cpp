@@ -1,7 +1,6 @@
 #include "engine/profile/assembler.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -61,9 +60,13 @@ void ProfileAssembler::add(int camera, const FrameLost& lost) {
 void ProfileAssembler::add(int camera, const RailBegin& begin) {
   Stream& from = stream(camera);
   from.next = std::max(from.next, begin.firstTrigger);
-  from.rail = begin.firstTrigger;
-  if (begin.firstTrigger < cursor_) return;  // a rail that has begun (or passed) by another camera's word
-  if (!rails_.empty() && begin.firstTrigger <= rails_.back().begin->firstTrigger) return;
+  const RailKey key{begin.firstTrigger, begin.id};
+  if (from.rail && from.rail != key) from.railsEnded = std::max(from.railsEnded, begin.firstTrigger);
+  from.rail = key;
+  // Known by another camera's word, or already over.
+  if (begin.firstTrigger < cursor_ || lastEnded_ == key) return;
+  for (const Rail& rail : rails_)
+    if (rail.key() == key || rail.begin->firstTrigger > begin.firstTrigger) return;
   // A rail that begins ends the one before it, should its end never have been told.
   if (!rails_.empty() && (!rails_.back().end || *rails_.back().end > begin.firstTrigger))
     rails_.back().end = begin.firstTrigger;
@@ -75,7 +78,7 @@ void ProfileAssembler::add(int camera, const RailEnd& end) {
   from.next = std::max(from.next, end.endTrigger);
   from.railsEnded = std::max(from.railsEnded, end.endTrigger);
   for (Rail& rail : rails_)
-    if (rail.begin->firstTrigger == from.rail && !rail.end) rail.end = std::max(end.endTrigger, *from.rail);
+    if (rail.key() == from.rail && !rail.end) rail.end = std::max(end.endTrigger, rail.begin->firstTrigger);
 }
 
 void ProfileAssembler::add(int camera, const SourceEnd& end) {
@@ -202,6 +205,7 @@ bool ProfileAssembler::nextInRail(Assembly& out) {
 void ProfileAssembler::endRail(Assembly& out) {
   out.kind = Assembly::Kind::RailEnded;
   out.rail = rails_.front().begin;
+  lastEnded_ = rails_.front().key();
   rails_.pop_front();
   inRail_ = false;
 }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/acquisition/frame.h"
@@ -69,17 +70,20 @@ class ProfileAssembler {
   struct Pending {
     std::array<Slot, kCameraCount> slots;
   };
+  /// A rail is told four times, once by each camera: the same first trigger and id are the same rail.
+  using RailKey = std::pair<std::uint64_t, std::string>;
   struct Stream {
     std::uint64_t next = 0;        ///< everything below has been passed
     std::uint64_t railsEnded = 0;  ///< the largest endTrigger of a RailEnd
     std::optional<std::uint64_t> lastFrame;
-    std::optional<std::uint64_t> rail;  ///< firstTrigger of its latest RailBegin
+    std::optional<RailKey> rail;  ///< of its latest RailBegin
     bool ended = false;
     std::string error;
   };
   struct Rail {
     std::shared_ptr<const RailBegin> begin;
     std::optional<std::uint64_t> end;  ///< exclusive
+    [[nodiscard]] RailKey key() const { return {begin->firstTrigger, begin->id}; }
   };
 
   Stream& stream(int camera) { return streams_[static_cast<std::size_t>(camera)]; }
@@ -110,6 +114,7 @@ class ProfileAssembler {
   std::vector<std::unique_ptr<Pending>> spent_;
   std::multimap<std::uint64_t, std::string> remarks_;  ///< by the trigger before which they are told
   std::deque<Rail> rails_;                             ///< announced; the front one has begun if inRail_
+  std::optional<RailKey> lastEnded_;
   bool inRail_ = false;
   std::uint64_t cursor_ = 0;  ///< everything below has been told
 };

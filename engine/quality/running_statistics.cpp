@@ -25,13 +25,19 @@ double betaFraction(double a, double b, double x) {
   return fraction;
 }
 
+/// std::lgamma writes a global sign: two threads that ask for their statistics would race.
+double logGamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
+}
+
 /// Regularised incomplete beta function I_x(a, 1/2), `y` = 1 - x given apart so that nothing is lost near 1.
 double incompleteBetaHalf(double a, double x, double y) {
   constexpr double b = 0.5;
   if (x <= 0) return 0;
   if (y <= 0) return 1;
   const double logX = x < 0.5 ? std::log(x) : std::log1p(-y);
-  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * logX + b * std::log(y));
+  const double front = std::exp(logGamma(a + b) - logGamma(a) - logGamma(b) + a * logX + b * std::log(y));
   if (x < (a + 1) / (a + b + 2)) return front * betaFraction(a, b, x) / a;
   return 1 - front * betaFraction(b, a, y) / b;
 }
