@@ -18,9 +18,8 @@ struct SectionCheck {
   bool pass = false;
 };
 
-/// Gap and kink, then every published value: area, mass and moments within the section's area tolerance (moments twice
-/// that, and half a unit of the last usual digit), the centroid's height within 0.05 mm (1 mm for approximate
-/// sections).
+/// Gap and kink, then every published value: area, mass and moments within the section's area tolerance (moments: and
+/// half of their last printed digit), the centroid's height within 0.05 mm (1 mm where the section is approximate).
 [[nodiscard]] std::vector<SectionCheck> checkSection(const Section& section);
 
 }  // namespace vignole

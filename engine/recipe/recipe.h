@@ -17,10 +17,11 @@
 namespace vignole {
 
 struct Recipe {
-  std::string name;            ///< "60E1 X/A"
+  std::string name;  ///< "60E1 X/A"
   int version = 1;
-  std::string note;            ///< edition of the tolerances, shown to people
+  std::string note;  ///< edition of the tolerances, shown to people
   Section section;
+  std::string sectionSource;  ///< how a file names the section: a catalogue name, or the absolute path of its file
   std::string profileClass = "X";
   std::string straightnessClass = "A";
   DimensionParameters parameters;
@@ -33,11 +34,15 @@ struct Recipe {
 /// From a section of the catalogue (or a section file) and its classes.
 [[nodiscard]] Expected<Recipe> makeRecipe(std::string_view section, std::string_view profileClass = "X",
                                           std::string_view straightnessClass = "A");
-/// TOML, format = 1. Refuses unknown keys, swapped limits, values out of range: file, line, key, reason, remedy.
+/// TOML, format = 1; what a file does not say is as makeRecipe has it. A section file is looked for beside the recipe.
+/// Refuses unknown keys, swapped limits, values out of range, parameters off their primitive: file, line, key,
+/// reason, remedy.
 [[nodiscard]] Expected<Recipe> loadRecipe(const std::filesystem::path& file);
 /// A path, or a name of resources/recipes, or "SECTION" / "SECTION CLASS/CLASS" ("60E1", "60E1 X/A").
 [[nodiscard]] Expected<Recipe> findRecipe(std::string_view nameOrFile);
+/// Names of resources/recipes, sorted.
 [[nodiscard]] std::vector<std::string> recipeNames();
+/// The whole recipe as a commented file that loadRecipe reads back to the same values.
 [[nodiscard]] std::string toToml(const Recipe& recipe);
 
 }  // namespace vignole
