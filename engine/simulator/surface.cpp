@@ -1,0 +1,118 @@
+#include "engine/simulator/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/simulator/hashing.h"
+
+namespace vignole::simulator {
+
+namespace {
+
+constexpr int kAround = 256, kAlong = 1024;  // cells
+constexpr double kAroundMm = 3, kAlongMm = 4;
+constexpr float kBareReflectance = 0.85F;
+constexpr float kBorder = 0.04F;  // of rank: how soft a patch's border is
+constexpr float kGlossShare = 0.01F, kGlossGain = 3;
+
+std::vector<float> whiteNoise(Draws draws, std::size_t count) {
+  std::vector<float> field(count);
+  for (float& value : field) value = static_cast<float>(draws.normal());
+  return field;
+}
+
+std::vector<double> gaussian(double sigma) {
+  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  std::vector<double> kernel;
+  for (int i = -radius; i <= radius; ++i) kernel.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+  return kernel;
+}
+
+/// Periodic separable filter that leaves the variance of white noise at 1.
+void smooth(std::vector<float>& field, int width, int height, double sigmaX, double sigmaY) {
+  const auto pass = [&](double sigma, bool alongX) {
+    const std::vector<double> kernel = gaussian(sigma);
+    const int radius = static_cast<int>(kernel.size() / 2);
+    const double norm = std::sqrt(std::inner_product(kernel.begin(), kernel.end(), kernel.begin(), 0.0));
+    std::vector<float> out(field.size());
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        double sum = 0;
+        for (int k = -radius; k <= radius; ++k) {
+          const int u = alongX ? (x + k + width) % width : x, v = alongX ? y : (y + k + height) % height;
+          sum += kernel[static_cast<std::size_t>(k + radius)] * field[static_cast<std::size_t>(v * width + u)];
+        }
+        out[static_cast<std::size_t>(y * width + x)] = static_cast<float>(sum / norm);
+      }
+    field.swap(out);
+  };
+  pass(sigmaX, true);
+  pass(sigmaY, false);
+}
+
+float softStep(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+SkinTexture::SkinTexture(std::uint64_t seed)
+    : ranks_(whiteNoise(Draws(seed, Stream::Scale), std::size_t{kAround} * kAlong)) {
+  smooth(ranks_, kAround, kAlong, 3, 4);  // patches of about 10-40 mm
+  std::vector<std::uint32_t> order(ranks_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return ranks_[a] < ranks_[b]; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    ranks_[order[i]] = (static_cast<float>(i) + 0.5F) / static_cast<float>(order.size());
+}
+
+float SkinTexture::rank(double aroundMm, double alongMm) const {
+  const auto cell = [](double mm, double step, int count, float& share) {
+    const double at = mm / step, low = std::floor(at);
+    share = static_cast<float>(at - low);
+    const auto index = static_cast<std::int64_t>(low) % count;
+    return static_cast<int>(index < 0 ? index + count : index);
+  };
+  float fx = 0, fy = 0;
+  const int x0 = cell(aroundMm, kAroundMm, kAround, fx), y0 = cell(alongMm, kAlongMm, kAlong, fy);
+  const int x1 = (x0 + 1) % kAround, y1 = (y0 + 1) % kAlong;
+  const auto at = [&](int x, int y) { return ranks_[static_cast<std::size_t>(y * kAround + x)]; };
+  return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) + fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
+}
+
+Surface::Surface(std::uint64_t seed)
+    : patches_(hash(seed, Stream::Scale, {0})),
+      shades_(hash(seed, Stream::Scale, {1})),
+      gloss_(hash(seed, Stream::Gloss, {2})) {}
+
+float Surface::reflectance(double aroundMm, double alongMm, double scaleShare) const {
+  if (scaleShare <= 0) return kBareReflectance;
+  const auto threshold = static_cast<float>(1 - scaleShare);
+  const float patch =
+      scaleShare >= 1 ? 1
+                      : softStep(threshold - kBorder / 2, threshold + kBorder / 2, patches_.rank(aroundMm, alongMm));
+  // Shades vary faster along the rail than the patches do.
+  const float shade = 0.3F + 0.4F * shades_.rank(aroundMm, 1.7 * alongMm);
+  const float bare = 1 + kGlossGain * softStep(1 - 2 * kGlossShare, 1, gloss_.rank(2.3 * aroundMm, 3.1 * alongMm));
+  return kBareReflectance * (patch * shade + (1 - patch) * bare);
+}
+
+std::vector<float> speckleField(std::uint64_t seed, double contrast) {
+  constexpr double kGrainSigma = 0.6;  // autocorrelation exp(-d^2 / (4 * 0.6^2)): half its height at d = 1 px
+  std::vector<float> field = whiteNoise(Draws(seed, Stream::Speckle), std::size_t{kSpeckleSize} * kSpeckleSize);
+  smooth(field, kSpeckleSize, kSpeckleSize, kGrainSigma, kGrainSigma);
+  // Gamma of shape k = 1/contrast^2 and mean 1 from a normal deviate (Wilson and Hilferty 1931).
+  const auto v = static_cast<float>(contrast * contrast / 9);
+  std::vector<float> padded(std::size_t{kSpeckleSize} * kSpeckleStride);
+  for (int y = 0; y < kSpeckleSize; ++y)
+    for (int x = 0; x < kSpeckleStride; ++x) {
+      const float z = field[static_cast<std::size_t>(y * kSpeckleSize + x % kSpeckleSize)];
+      const float root = std::max(0.0F, 1 - v + z * std::sqrt(v));
+      padded[static_cast<std::size_t>(y * kSpeckleStride + x)] = contrast > 0 ? root * root * root : 1.0F;
+    }
+  return padded;
+}
+
+}  // namespace vignole::simulator
