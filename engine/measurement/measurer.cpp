@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/measurement/measurement.h"
+#include "engine/measurement/nominal.h"
+#include "engine/measurement/primitive_fits.h"
+#include "engine/measurement/verdict.h"
+
+namespace vignole {
+namespace {
+
+constexpr double kReferenceCelsius = 15;
+constexpr double kCoverage = 2;
+
+/// ": camera 3: frame lost" for every camera that is missing; a missing camera explains missing points.
+std::string missingCameras(const Profile& profile) {
+  std::string text;
+  for (std::size_t c = 0; c < profile.missing.size(); ++c)
+    if (!profile.missing[c].empty())
+      text += (text.empty() ? "" : "; ") + ("camera " + std::to_string(c + 1)) + ": " + profile.missing[c];
+  return text;
+}
+
+}  // namespace
+
+struct Measurer::Impl {
+  Impl(const Section& given, const DimensionParameters& p, const PerDimension<ToleranceLimits>& l,
+       const MeasurementSettings& s)
+      : section(given), parameters(p), limits(l), settings(s) {
+    auto planned = planSection(section, parameters);
+    if (!planned) {
+      refusal = planned.error().message();
+      return;
+    }
+    plan = std::make_unique<SectionPlan>(std::move(*planned));
+    if (const auto nominals = nominalDimensions(section, *plan, parameters)) {
+      nominal = *nominals;
+    } else {
+      refusal = nominals.error().message();
+      return;
+    }
+    fits = std::make_unique<PrimitiveFits>(section, *plan, settings);
+    definitions = std::make_unique<Definitions<GlobalDual>>(*plan, parameters);
+  }
+
+  void measure(const Profile& profile, const Registration& registration, const RailTemperature& temperature,
+               Measurement& m) {
+    m.fitted.clear();
+    for (std::size_t d = 0; d < kDimensionCount; ++d) reset(m.dimensions[d], nominal[d].value_or(0));
+    if (const std::string why = refuses(profile, registration, temperature); !why.empty()) {
+      for (DimensionResult& d : m.dimensions) d.reason = why;
+    } else {
+      fits->fit(profile, registration);
+      definitions->evaluate(fits->shapes(), values);
+      const std::string cameras = missingCameras(profile);
+      for (const Dimension d : kDimensions) publish(d, registration, temperature, cameras, m.dimensions[index(d)]);
+      fits->describe(registration.worldFromSection, m.fitted);
+    }
+    for (const Dimension d : kDimensions) judge(d, limits[index(d)], m.dimensions[index(d)]);
+    m.verdict = worstOf(m.dimensions);
+  }
+
+  static void reset(DimensionResult& d, double nominalMm) {
+    d.valueMm.reset();
+    d.secondMm.reset();
+    d.leftMm.reset();
+    d.rightMm.reset();
+    d.nominalMm = nominalMm;
+    d.uMm = d.secondUMm = 0;
+    d.points = 0;
+    d.reason.clear();
+    d.anchors.clear();
+  }
+
+  [[nodiscard]] std::string refuses(const Profile& profile, const Registration& registration,
+                                    const RailTemperature& temperature) const {
+    if (!refusal.empty()) return refusal;
+    if (!(temperature.celsius <= settings.maxTemperatureC)) {
+      char text[120];
+      std::snprintf(text, sizeof text, "rail at %.0f C: above %.0f C no cold size is given", temperature.celsius,
+                    settings.maxTemperatureC);
+      return text;
+    }
+    if (!registration.valid || registration.primitiveOfPoint.size() != profile.points.size()) {
+      const std::string cameras = missingCameras(profile);
+      const std::string why = registration.reason.empty() ? "the profile is not registered" : registration.reason;
+      return cameras.empty() ? why : why + " (" + cameras + ")";
+    }
+    return {};
+  }
+
+  void publish(Dimension dimension, const Registration& registration, const RailTemperature& temperature,
+               const std::string& cameras, DimensionResult& out) {
+    const DefinedValue<GlobalDual>& v = values[index(dimension)];
+    out.points = fits->pointsOn(v.used);
+    if (!v.value) {
+      out.reason = cameras.empty() ? v.reason : v.reason + " (" + cameras + ")";
+      return;
+    }
+    // A length l at the rail's temperature is l / (1 + alpha dT) at 15 degrees C.
+    const double cold = 1 / (1 + settings.expansionPerK * (temperature.celsius - kReferenceCelsius));
+    const double thermal = settings.expansionPerK * temperature.uncertaintyK;
+    const auto total = [&](const GlobalDual& quantity, double variance) {
+      const double u = thermal * quantity.value * cold;
+      return std::sqrt(variance * cold * cold + u * u);
+    };
+    out.valueMm = v.value->value * cold;
+    double variance = fits->variance(*v.value);
+    if (dimension == Dimension::HF) variance = extremeVariance(*v.value, v, 1);
+    out.uMm = total(*v.value, variance);
+    if (v.second) {
+      out.secondMm = v.second->value * cold;
+      out.secondUMm =
+          total(*v.second, dimension == Dimension::HF ? extremeVariance(*v.second, v, -1) : fits->variance(*v.second));
+    }
+    if (v.hasParts) {
+      out.leftMm = v.left.value * cold;
+      out.rightMm = v.right.value * cold;
+    }
+    const Datum<GlobalDual>& datum = definitions->datum();
+    const Point2 origin(datum.origin.x.value, datum.origin.y.value);
+    const Point2 along(datum.along.x.value, datum.along.y.value), up(-along.y(), along.x());
+    for (std::size_t k = 0; k < v.anchorCount; ++k)
+      out.anchors.push_back(registration.worldFromSection * (origin + v.anchors[k].x * along + v.anchors[k].y * up));
+  }
+
+  /// An extreme may lie wherever the deviation cannot be told from it: the ends of the crown, where it is least sure,
+  /// count if they are within the guard band (the extreme of a nominal crown would else be the axis, with u = 0).
+  [[nodiscard]] double extremeVariance(const GlobalDual& extreme, const DefinedValue<GlobalDual>& v,
+                                       double sign) const {
+    double variance = fits->variance(extreme);
+    for (const GlobalDual& end : v.crownEnds) {
+      const double ofEnd = fits->variance(end);
+      if (sign * (extreme.value - end.value) < kCoverage * std::sqrt(ofEnd)) variance = std::max(variance, ofEnd);
+    }
+    return variance;
+  }
+
+  Section section;
+  DimensionParameters parameters;
+  PerDimension<ToleranceLimits> limits;
+  MeasurementSettings settings;
+  std::string refusal;  ///< why nothing can be measured with this section and these parameters
+  std::unique_ptr<SectionPlan> plan;
+  PerDimension<std::optional<double>> nominal;
+  std::unique_ptr<PrimitiveFits> fits;
+  std::unique_ptr<Definitions<GlobalDual>> definitions;
+  PerDimension<DefinedValue<GlobalDual>> values;
+};
+
+Measurer::Measurer(const Section& section, const DimensionParameters& parameters,
+                   const PerDimension<ToleranceLimits>& limits, const MeasurementSettings& settings)
+    : impl_(std::make_unique<Impl>(section, parameters, limits, settings)) {}
+Measurer::~Measurer() = default;
+Measurer::Measurer(Measurer&&) noexcept = default;
+Measurer& Measurer::operator=(Measurer&&) noexcept = default;
+
+void Measurer::measure(const Profile& profile, const Registration& registration, const RailTemperature& temperature,
+                       Measurement& result) {
+  impl_->measure(profile, registration, temperature, result);
+}
+
+}  // namespace vignole
