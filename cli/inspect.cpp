@@ -1,7 +1,376 @@
+// vignole-cli inspect: whole rails through the whole pipeline.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+
 #include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/inspect_output.h"
+#include "cli/interruption.h"
+#include "cli/report_files.h"
+#include "engine/files/atomic_file.h"
+#include "engine/simulator/virtual_rig.h"
 
 namespace vignole::cli {
 
-void addInspect(CLI::App& /*app*/, int& /*exitCode*/) {}
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::string source = "virtual", recording, recipe = "60E1 X/A", calibration, address, archive, record, csv, json;
+  int rails = 1;
+  double lengthM = 60, speedMPerS = 1, spacingMm = 15, temperatureC = 20;
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> rigSeed;
+  std::vector<std::string> effects, deviations, faults, reports;
+  bool paced = false, quiet = false;
+};
+
+Expected<void> refuseWhatIsNotThere(const Options& o) {
+  const auto later = [](const char* option, const std::string& with) {
+    return inputError(option, "comes with " + with + ", which this version does not have; use --source virtual");
+  };
+  if (o.source == "gige") return later("--source gige", "the GigE Vision cameras");
+  if (o.source == "recording" || !o.recording.empty()) return later("--recording", "recordings");
+  if (!o.address.empty()) return later("--address", "the GigE Vision cameras");
+  if (!o.archive.empty())
+    return inputError("--archive", "comes with the archive, which this version does not have; leave it out");
+  if (!o.record.empty())
+    return inputError("--record", "comes with recordings, which this version does not have; leave it out");
+  for (const std::string& file : o.reports)
+    if (const auto known = checkReportFile(file); !known) return known;
+  return {};
+}
+
+/// "HW=0.3": a constant deviation from nominal.
+Expected<void> applyDeviation(VirtualRigSettings& rig, const std::string& specification) {
+  const auto equals = specification.find('=');
+  const std::string label = specification.substr(0, equals);
+  const auto dimension = dimensionFromName(label);
+  if (!dimension) {
+    std::string known;
+    for (const Dimension d : kDimensions) known += (known.empty() ? "" : ", ") + std::string(name(d));
+    return inputError("--deviation " + specification, "unknown dimension; there are " + known);
+  }
+  double value = 0;
+  std::size_t used = 0;
+  const std::string text = equals == std::string::npos ? "" : specification.substr(equals + 1);
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !std::isfinite(value))
+    return inputError("--deviation " + specification, "wants DIM=MM, as in --deviation " + label + "=0.3");
+  rig.deviationMm[index(*dimension)] = value;
+  return {};
+}
+
+Expected<std::shared_ptr<const VirtualRig>> makeRig(const Options& o, const Recipe& recipe) {
+  VirtualRigSettings settings;
+  settings.section = recipe.section;
+  settings.parameters = recipe.parameters;
+  settings.seed = o.seed;
+  settings.rigSeed = o.rigSeed;
+  settings.spacingMm = o.spacingMm;
+  settings.speedMmPerS = 1000 * o.speedMPerS;
+  settings.temperatureC = o.temperatureC;
+  for (const std::string& effect : o.effects)
+    if (const auto applied = applyEffect(settings.effects, effect); !applied) return tl::unexpected(applied.error());
+  for (const std::string& deviation : o.deviations)
+    if (const auto applied = applyDeviation(settings, deviation); !applied) return tl::unexpected(applied.error());
+  for (const std::string& text : o.faults) {
+    auto fault = parseFault(text);
+    if (!fault) return tl::unexpected(fault.error());
+    settings.faults.push_back(*fault);
+  }
+  return VirtualRig::create(std::move(settings));
+}
+
+/// A calibration of other cameras would give numbers that mean nothing.
+Expected<void> checkFits(const RigCalibration& calibration, const RigCalibration& ofRig, const std::string& file) {
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    const RangeFinderCalibration& mine = calibration.rangeFinders[c];
+    const RangeFinderCalibration& rigs = ofRig.rangeFinders[c];
+    const std::string camera = "camera " + std::to_string(c + 1);
+    if (!mine.serial.empty() && !rigs.serial.empty() && mine.serial != rigs.serial)
+      return inputError(file, camera + " is " + rigs.serial + " but the calibration is of " + mine.serial +
+                                  "; use this rig's calibration (or its --rig-seed)");
+    const Intrinsics &a = mine.intrinsics, &b = rigs.intrinsics;
+    if (a.widthPx != b.widthPx || a.heightPx != b.heightPx)
+      return inputError(file, camera + " has " + std::to_string(b.widthPx) + " x " + std::to_string(b.heightPx) +
+                                  " pixels but the calibration is for " + std::to_string(a.widthPx) + " x " +
+                                  std::to_string(a.heightPx) + "; use this rig's calibration");
+  }
+  return {};
+}
+
+/// How far out a profile is, in half tolerances; the worst one is drawn in the report.
+double severity(const Measurement& measurement) {
+  double worst = 0;
+  for (const DimensionResult& d : measurement.dimensions) {
+    if (!d.valueMm || !d.lowerMm || !d.upperMm) continue;
+    const double middle = (*d.lowerMm + *d.upperMm) / 2, half = (*d.upperMm - *d.lowerMm) / 2;
+    if (half > 0) worst = std::max(worst, std::abs(*d.valueMm - middle) / half);
+  }
+  return worst;
+}
+
+/// Takes what the inspection tells, on its last stage's thread; read after the end.
+class Collector {
+ public:
+  Collector(const Recipe& recipe, const RigCalibration& calibration, std::shared_ptr<const VirtualRig> rig,
+            std::optional<AtomicFile> csv, Progress& progress, double profilesExpected)
+      : recipe_(recipe),
+        calibration_(calibration),
+        rig_(std::move(rig)),
+        csv_(std::move(csv)),
+        progress_(progress),
+        profilesExpected_(profilesExpected) {
+    if (csv_) csv_->write(csvHeader());
+  }
+
+  InspectionObserver observer() {
+    return {[this](const RailBegin& rail) { begin(rail); }, [this](const ProfileResult& result) { add(result); },
+            [this](const RailBegin&, const TriggerLedger& ledger) { end(ledger); },
+            [this](const std::string& message) { finish(message); }};
+  }
+
+  /// False if the time is over first.
+  bool waitUntilEnded(std::optional<Clock::time_point> until) {
+    std::unique_lock lock(mutex_);
+    const auto ended = [this] { return ended_; };
+    if (until) return changed_.wait_until(lock, *until, ended);
+    changed_.wait(lock, ended);
+    return true;
+  }
+
+  std::vector<InspectedRail> rails;
+  std::vector<std::optional<ProfileResult>> examples;  ///< one a rail: the profile that is furthest out
+  std::uint64_t profiles = 0, registered = 0;
+  Accuracy accuracy;
+  std::string error, whyNotRegistered;
+  Clock::time_point endedAt;
+
+  Expected<void> closeCsv() { return csv_ ? csv_->commit() : Expected<void>{}; }
+
+ private:
+  void begin(const RailBegin& rail) {
+    summariser_.emplace(rail, recipe_, calibration_.id);
+    example_.reset();
+    severity_ = -1;
+    profileOfRail_ = 0;
+  }
+
+  void add(const ProfileResult& result) {
+    ++profiles;
+    summariser_->add(result);
+    if (csv_) csv_->write(csvRow(result, profileOfRail_));
+    ++profileOfRail_;
+    if (result.registration.valid) {
+      ++registered;
+      accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
+      if (const double s = severity(result.measurement); s > severity_) {
+        severity_ = s;
+        example_ = result;
+      }
+    } else {
+      whyNotRegistered = result.registration.reason;
+    }
+    progress_.update(static_cast<double>(profiles) / profilesExpected_, std::to_string(profiles) + " profiles");
+  }
+
+  void end(const TriggerLedger& ledger) {
+    rails.push_back({summariser_->summary(ledger), recipe_.section.name});
+    examples.push_back(std::move(example_));
+    example_.reset();
+  }
+
+  void finish(const std::string& message) {
+    const std::scoped_lock lock(mutex_);
+    error = message;
+    endedAt = Clock::now();
+    ended_ = true;
+    changed_.notify_all();
+  }
+
+  const Recipe& recipe_;
+  const RigCalibration& calibration_;
+  std::shared_ptr<const VirtualRig> rig_;
+  std::optional<AtomicFile> csv_;
+  Progress& progress_;
+  double profilesExpected_;
+  std::optional<RailSummariser> summariser_;
+  std::optional<ProfileResult> example_;
+  double severity_ = -1;
+  std::uint64_t profileOfRail_ = 0;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool ended_ = false;
+};
+
+/// rail.pdf of the second of several rails is rail-2.pdf.
+std::filesystem::path reportName(const std::filesystem::path& file, std::size_t rail, std::size_t rails) {
+  if (rails < 2) return file;
+  std::filesystem::path numbered = file;
+  numbered.replace_filename(file.stem().string() + "-" + std::to_string(rail + 1) + file.extension().string());
+  return numbered;
+}
+
+Expected<void> writeResults(const Options& o, const Recipe& recipe, Collector& collected,
+                            const InspectionOutcome& outcome) {
+  if (const auto closed = collected.closeCsv(); !closed) return closed;
+  for (const std::string& file : o.reports)
+    for (std::size_t r = 0; r < outcome.rails.size(); ++r)
+      if (const auto written = writeReport(outcome.rails[r].summary, recipe, collected.examples[r], true,
+                                           reportName(file, r, outcome.rails.size()));
+          !written)
+        return written;
+  if (!o.json.empty())
+    if (const auto written = writeJson(o.json, toJson(outcome)); !written) return written;
+  if (o.json != "-")
+    if (const auto written = writeResult("-", toTable(outcome)); !written) return written;
+  return {};
+}
+
+/// The exit code, once all has been written.
+int judge(const Options& o, const Collector& collected, const InspectionOutcome& outcome) {
+  if (!collected.error.empty()) return fail({"source", collected.error, ErrorKind::World});
+  if (collected.registered == 0 && outcome.triggers.seen > 0) {
+    if (collected.profiles == 0)
+      return fail(
+          {"inspect",
+           "no camera gave a contour (" + outcome.triggers.reasons.begin()->first + " ...); look at cameras and lasers",
+           ErrorKind::World});
+    if (!o.calibration.empty())
+      return fail({o.calibration, "no profile could be registered (" + collected.whyNotRegistered +
+                                      "); is it the calibration of this rig?"});
+    return fail({"inspect",
+                 "no profile could be registered (" + collected.whyNotRegistered +
+                     "); is it this recipe's rail, and the calibration still right?",
+                 ErrorKind::World});
+  }
+  for (const InspectedRail& rail : outcome.rails)
+    if (rail.summary.verdict == Verdict::Fail) return kVerdictFail;
+  return kDone;
+}
+
+int inspect(const Options& o) {
+  if (const auto possible = refuseWhatIsNotThere(o); !possible) return fail(possible.error());
+  const auto recipe = findRecipe(o.recipe);
+  if (!recipe) return fail(recipe.error());
+  const auto rig = makeRig(o, *recipe);
+  if (!rig) return fail(rig.error());
+  RigCalibration calibration = (*rig)->calibration();
+  if (!o.calibration.empty()) {
+    auto loaded = loadCalibration(o.calibration);
+    if (!loaded) return fail(loaded.error());
+    if (const auto fits = checkFits(*loaded, calibration, o.calibration); !fits) return fail(fits.error());
+    calibration = std::move(*loaded);
+  }
+  std::optional<AtomicFile> csv;
+  if (!o.csv.empty()) {
+    auto file = AtomicFile::create(o.csv);
+    if (!file) return fail(file.error());
+    csv = std::move(*file);
+  }
+
+  InspectionOutcome outcome;
+  const auto source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
+  std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
+  const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
+  Collector collected(*recipe, calibration, *rig, std::move(csv), *progress, expected);
+  {
+    Inspection* running = nullptr;
+    std::mutex mutex;
+    // Before the inspection: its threads inherit that they are not to be interrupted.
+    const Interruption interruption([&] {
+      const std::scoped_lock lock(mutex);
+      if (running != nullptr) running->stop();
+    });
+    const auto start = Clock::now();
+    Inspection inspection(*source, *recipe, calibration, collected.observer());
+    {
+      const std::scoped_lock lock(mutex);
+      running = &inspection;
+    }
+    inspection.start();
+    std::optional<Clock::time_point> until;
+    if (o.seconds)
+      until = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*o.seconds));
+    if (!collected.waitUntilEnded(until)) inspection.stop();
+    inspection.wait();
+    outcome.wallS = std::chrono::duration<double>(collected.endedAt - start).count();
+    outcome.triggers = inspection.triggers();
+    outcome.stages = inspection.stages();
+    const std::scoped_lock lock(mutex);
+    running = nullptr;
+  }
+  progress.reset();
+  outcome.rails = collected.rails;
+  outcome.profiles = collected.profiles;
+  outcome.calibrationId = calibration.id;
+  outcome.calibrationMethod = calibration.method;
+  outcome.calibrationCreated = calibration.created;
+  outcome.effects = list((*rig)->settings().effects);
+  outcome.accuracy = &collected.accuracy;
+  if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
+  return judge(o, collected, outcome);
+}
+
+}  // namespace
+
+void addInspect(CLI::App& app, int& exitCode) {
+  CLI::App* command = app.add_subcommand("inspect", "Measure whole rails through the whole pipeline");
+  const auto o = std::make_shared<Options>();
+  command->footer(
+      "Without options: one virtual 60E1 rail of 60 m at 15 mm and 1 m/s, seed 1, class X/A.\n"
+      "Example: vignole-cli inspect --length 10 --recipe 54E1 --deviation HW=0.6 --csv rail.csv --report rail.pdf\n"
+      "Verdict of a rail: fail if a dimension is out of tolerance over at least 3 consecutive profiles (or in half of\n"
+      "them); near if it cannot be decided that long, or its mean is within 2 u of a limit. Exit code 1 on fail.");
+  command->add_option("--source", o->source, "virtual, gige or recording")
+      ->check(CLI::IsMember({"virtual", "gige", "recording"}))
+      ->capture_default_str();
+  command->add_option("--recording", o->recording, "recording to measure (with --source recording)");
+  command->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]")->capture_default_str();
+  command->add_option("--calibration", o->calibration, "calibration file; default: the virtual rig's exact one");
+  command->add_option("--rails", o->rails, "rails to measure")->check(CLI::Range(1, 1000000))->capture_default_str();
+  command->add_option("--length", o->lengthM, "length of a rail, m")
+      ->check(CLI::Range(0.001, 1e5))
+      ->capture_default_str();
+  command->add_option("--speed", o->speedMPerS, "speed, m/s")->check(CLI::Range(0.001, 100.0))->capture_default_str();
+  command->add_option("--spacing", o->spacingMm, "travel between profiles, mm")
+      ->check(CLI::Range(0.01, 1e5))
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "seed of the virtual rail and its noise")->capture_default_str();
+  command->add_option("--rig-seed", o->rigSeed, "draws the virtual rig itself; default: the seed");
+  command->add_option("--address", o->address, "first of four consecutive camera addresses (with --source gige)");
+  command->add_option("--temperature", o->temperatureC, "temperature of the rail, degrees C")
+      ->check(CLI::Range(-60.0, 1400.0))
+      ->capture_default_str();
+  command->add_option("--effect", o->effects, "NAME=on|off|VALUE of the virtual rig (repeatable)");
+  command->add_option("--deviation", o->deviations, "DIM=MM: constant deviation of a dimension (repeatable)");
+  command->add_option("--fault", o->faults, "KIND[=VALUE][@CAMERA][:FROM-TO] (repeatable)");
+  command->add_option("--archive", o->archive, "archive to store the rails in");
+  command->add_option("--record", o->record, "file to record the frames in");
+  command->add_option("--report", o->reports, "FILE.pdf or FILE.png (repeatable)");
+  command->add_option("--csv", o->csv, "file: one row a profile");
+  command->add_option("--json", o->json, "file, or - for stdout");
+  command->add_option("--seconds", o->seconds, "stop after that time")->check(CLI::Range(0.0, 1e9));
+  command->add_flag("--paced", o->paced, "in real time, as a live source");
+  command->add_flag("--quiet", o->quiet, "no progress on the terminal");
+  command->callback([o, &exitCode] { exitCode = inspect(*o); });
+}
 
 }  // namespace vignole::cli

@@ -1,0 +1,239 @@
+#include "cli/inspect_output.h"
+
+#include <array>
+#include <charconv>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace vignole::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json toJson(const DimensionSummary& d) {
+  const bool measured = d.values.count() > 0;
+  const auto ifMeasured = [measured](double value) { return measured ? Json(value) : Json(nullptr); };
+  Json json = {{"name", name(d.dimension)},
+               {"nominal_mm", d.nominalMm},
+               {"mean_mm", ifMeasured(d.values.mean())},
+               {"min_mm", ifMeasured(d.values.min())},
+               {"max_mm", ifMeasured(d.values.max())},
+               {"s_mm", ifMeasured(d.values.sd())},
+               {"u_mm", ifMeasured(d.uMm)},
+               {"lower_mm", numberOrNull(d.lowerMm)},
+               {"upper_mm", numberOrNull(d.upperMm)},
+               {"verdict", name(d.verdict)},
+               {"exceptions", Json::array()},
+               {"measured", d.values.count()},
+               {"not_measured", d.notMeasured}};
+  if (d.notMeasured > 0) json["reason"] = d.reason;
+  for (const DimensionException& e : d.exceptions)
+    json["exceptions"].push_back({{"from_m", e.fromM}, {"to_m", e.toM}, {"worst_mm", e.worstMm}});
+  return json;
+}
+
+Json toJson(const TriggerLedger& ledger) {
+  Json reasons = Json::object();
+  for (const auto& [reason, count] : ledger.reasons) reasons[reason] = count;
+  return {{"seen", ledger.seen},
+          {"measured", ledger.measured},
+          {"incomplete", ledger.incomplete},
+          {"lost", ledger.lost},
+          {"reasons", reasons}};
+}
+
+Json toJson(const InspectedRail& rail) {
+  const RailSummary& s = rail.summary;
+  Json dimensions = Json::array();
+  for (const DimensionSummary& d : s.dimensions) dimensions.push_back(toJson(d));
+  return {{"id", s.rail.id},
+          {"heat", s.rail.heat},
+          {"section", rail.section},
+          {"recipe", s.recipe},
+          {"length_m", s.lengthM},
+          {"profiles", s.profiles},
+          {"verdict", name(s.verdict)},
+          {"dimensions", dimensions},
+          {"triggers", toJson(s.triggers)}};
+}
+
+Json toJson(const StageStatistics& s) {
+  return {{"name", s.name},
+          {"count", s.count},
+          {"mean_ms", s.meanMs},
+          {"sd_ms", s.sdMs},
+          {"ucl99_ms", s.ucl99Ms},
+          {"max_ms", s.maxMs},
+          {"queue_capacity", s.queueCapacity},
+          {"queue_high_water", s.queueHighWater},
+          {"overflows", s.overflows},
+          {"cpu_ms", s.cpuMs}};
+}
+
+Json toJson(const Accuracy& accuracy) {
+  Json dimensions = Json::array();
+  for (const Dimension d : kDimensions) {
+    const DimensionAccuracy& a = accuracy.of(d);
+    if (a.count() == 0) continue;
+    dimensions.push_back({{"name", name(d)},
+                          {"bias_mm", a.biasMm()},
+                          {"rms_mm", a.rmsMm()},
+                          {"max_mm", a.maxMm()},
+                          {"mean_sq_error_over_u", a.meanSquareErrorOverU()},
+                          {"n", a.count()}});
+  }
+  return {{"dimensions", dimensions}};
+}
+
+double rateOf(const InspectionOutcome& outcome) {
+  return outcome.wallS > 0 ? static_cast<double>(outcome.profiles) / outcome.wallS : 0;
+}
+
+/// printf into a string.
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+  std::array<char, 512> buffer{};
+  va_list arguments;
+  va_start(arguments, pattern);
+  const int length = std::vsnprintf(buffer.data(), buffer.size(), pattern, arguments);
+  va_end(arguments);
+  return length < 0 ? std::string() : std::string(buffer.data());
+}
+
+std::string fixedOrDash(const std::optional<double>& value) { return value ? format("%.3f", *value) : "-"; }
+
+std::string tableOf(const InspectedRail& rail) {
+  const RailSummary& s = rail.summary;
+  std::string text = format("Rail %s  %s  %s  %.3f m  %llu profiles  verdict: %s\n", s.rail.id.c_str(),
+                            rail.section.c_str(), s.recipe.c_str(), s.lengthM,
+                            static_cast<unsigned long long>(s.profiles), std::string(name(s.verdict)).c_str());
+  text += format("%-6s %9s %9s %9s %9s %8s %8s %9s %9s  %-12s %s\n", "mm", "nominal", "mean", "min", "max", "s", "u",
+                 "lower", "upper", "verdict", "exceptions");
+  for (const DimensionSummary& d : s.dimensions) {
+    const std::string word(name(d.verdict)), label(name(d.dimension));
+    if (d.values.count() == 0) {
+      text +=
+          format("%-6s %9.3f %9s %9s %9s %8s %8s %9s %9s  %-12s %s\n", label.c_str(), d.nominalMm, "-", "-", "-", "-",
+                 "-", fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), "not measured", d.reason.c_str());
+      continue;
+    }
+    text += format("%-6s %9.3f %9.3f %9.3f %9.3f %8.4f %8.4f %9s %9s  %-12s", label.c_str(), d.nominalMm,
+                   d.values.mean(), d.values.min(), d.values.max(), d.values.sd(), d.uMm,
+                   fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), word.c_str());
+    if (!d.exceptions.empty()) {
+      const DimensionException& first = d.exceptions.front();
+      text += format(" %zu (%.3f-%.3f m, worst %.3f)", d.exceptions.size(), first.fromM, first.toM, first.worstMm);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void appendNumber(std::string& text, double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), end.ptr);
+}
+
+/// A field that may hold a comma or a quote.
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string flagsOf(const ProfileResult& result) {
+  std::string flags;
+  const auto add = [&flags](const std::string& word) { flags += (flags.empty() ? "" : "|") + word; };
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    const std::string camera = "camera " + std::to_string(c + 1) + ": ";
+    if (!result.profile.missing[c].empty()) add(camera + result.profile.missing[c]);
+    if (result.profile.overloaded[c]) add(camera + "overloaded");
+  }
+  if (!result.registration.valid) add("not registered: " + result.registration.reason);
+  return flags;
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
+  Json json = {{"version", VIGNOLE_VERSION}};
+  json["rails"] = Json::array();
+  for (const InspectedRail& rail : outcome.rails) json["rails"].push_back(toJson(rail));
+  json["triggers"] = toJson(outcome.triggers);
+  json["stages"] = Json::array();
+  for (const StageStatistics& stage : outcome.stages) json["stages"].push_back(toJson(stage));
+  json["profiles_per_s"] = rateOf(outcome);
+  json["wall_s"] = outcome.wallS;
+  json["calibration"] = {
+      {"id", outcome.calibrationId}, {"method", outcome.calibrationMethod}, {"created", outcome.calibrationCreated}};
+  json["effects"] = Json::object();
+  for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
+  if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
+  return json;
+}
+
+std::string toTable(const InspectionOutcome& outcome) {
+  std::string text;
+  for (const InspectedRail& rail : outcome.rails) text += tableOf(rail) + "\n";
+  if (outcome.accuracy != nullptr) {
+    text += "Against the truth of the virtual rig, single profiles\n";
+    text += format("%-6s %9s %9s %9s %12s\n", "mm", "bias", "rms", "max", "mean(e/u)^2");
+    for (const Dimension d : kDimensions) {
+      const DimensionAccuracy& a = outcome.accuracy->of(d);
+      if (a.count() > 0)
+        text += format("%-6s %9.4f %9.4f %9.4f %12.3f\n", std::string(name(d)).c_str(), a.biasMm(), a.rmsMm(),
+                       a.maxMm(), a.meanSquareErrorOverU());
+    }
+    text += "\n";
+  }
+  text += format("%-12s %8s %9s %9s %9s %9s %12s %9s\n", "Stage (ms)", "count", "mean", "SD", "99% UCL", "max", "queue",
+                 "overflows");
+  for (const StageStatistics& s : outcome.stages) {
+    const std::string queue =
+        s.queueCapacity == 0 ? "-" : std::to_string(s.queueHighWater) + "/" + std::to_string(s.queueCapacity);
+    text += format("%-12s %8llu %9.3f %9.3f %9.3f %9.3f %12s %9llu\n", s.name.c_str(),
+                   static_cast<unsigned long long>(s.count), s.meanMs, s.sdMs, s.ucl99Ms, s.maxMs, queue.c_str(),
+                   static_cast<unsigned long long>(s.overflows));
+  }
+  const TriggerLedger& t = outcome.triggers;
+  text += format("\nTriggers: %llu seen = %llu measured + %llu incomplete + %llu lost\n",
+                 static_cast<unsigned long long>(t.seen), static_cast<unsigned long long>(t.measured),
+                 static_cast<unsigned long long>(t.incomplete), static_cast<unsigned long long>(t.lost));
+  for (const auto& [reason, count] : t.reasons)
+    text += format("  %8llu  %s\n", static_cast<unsigned long long>(count), reason.c_str());
+  text += format("%.1f profiles/s, %.2f s, calibration %s (%s)\n", rateOf(outcome), outcome.wallS,
+                 outcome.calibrationId.c_str(), outcome.calibrationMethod.c_str());
+  return text;
+}
+
+std::string csvHeader() {
+  std::string text = "rail,profile,position_m,trigger";
+  for (const Dimension d : kDimensions) text += "," + std::string(name(d));
+  for (const Dimension d : kDimensions) text += ",u_" + std::string(name(d));
+  return text + ",rms_mm,inliers,flags\n";
+}
+
+std::string csvRow(const ProfileResult& result, std::uint64_t profile) {
+  std::string text = csvField(result.rail->id) + "," + std::to_string(profile) + ",";
+  appendNumber(text, result.profile.positionMm / 1000);
+  text += "," + std::to_string(result.profile.trigger);
+  for (const DimensionResult& d : result.measurement.dimensions) {
+    text += ",";
+    if (d.valueMm) appendNumber(text, *d.valueMm);
+  }
+  for (const DimensionResult& d : result.measurement.dimensions) {
+    text += ",";
+    if (d.valueMm) appendNumber(text, d.uMm);
+  }
+  text += ",";
+  if (result.registration.valid) appendNumber(text, result.registration.rmsMm);
+  text += "," + std::to_string(result.registration.inliers) + "," + csvField(flagsOf(result)) + "\n";
+  return text;
+}
+
+}  // namespace vignole::cli

@@ -1,0 +1,39 @@
+#pragma once
+// What `vignole-cli inspect` tells: a table for people, JSON and CSV for programs (commands.md is the contract).
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/accuracy.h"
+#include "engine/inspection/inspection.h"
+#include "engine/inspection/rail_summary.h"
+
+namespace vignole::cli {
+
+/// A rail as it is told: the summary, and the section that it was measured against.
+struct InspectedRail {
+  RailSummary summary;
+  std::string section;
+};
+
+struct InspectionOutcome {
+  std::vector<InspectedRail> rails;
+  TriggerLedger triggers;
+  std::vector<StageStatistics> stages;
+  std::uint64_t profiles = 0;
+  double wallS = 0;
+  std::string calibrationId, calibrationMethod, calibrationCreated;
+  std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
+  const Accuracy* accuracy = nullptr;                   ///< null without truth
+};
+
+[[nodiscard]] nlohmann::ordered_json toJson(const InspectionOutcome& outcome);
+[[nodiscard]] std::string toTable(const InspectionOutcome& outcome);
+
+/// First line of the CSV, and one row. Numbers are written so that reading them back gives the same bits.
+[[nodiscard]] std::string csvHeader();
+[[nodiscard]] std::string csvRow(const ProfileResult& result, std::uint64_t profile);
+
+}  // namespace vignole::cli

@@ -1,0 +1,61 @@
+#include "cli/report_files.h"
+
+#ifdef VIGNOLE_REPORT
+#include <QGuiApplication>
+#include <array>
+
+#include "report/rail_report.h"
+#endif
+
+namespace vignole::cli {
+
+Expected<void> checkReportFile(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension != ".pdf" && extension != ".png")
+    return inputError(file.string(), "a report is .pdf or .png; name the file accordingly");
+#ifdef VIGNOLE_REPORT
+  return {};
+#else
+  return inputError("--report", "this program was built without reports; build it with VIGNOLE_GUI=ON");
+#endif
+}
+
+#ifdef VIGNOLE_REPORT
+
+namespace {
+
+void ensureApplication() {
+  static std::array<char, 12> name = {"vignole-cli"};
+  static std::array<char*, 2> arguments = {name.data(), nullptr};
+  static int count = 1;
+  if (QGuiApplication::instance() != nullptr) return;
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Lives until the program ends: Qt's fonts do not survive their application.
+  static const QGuiApplication application(count, arguments.data());
+}
+
+}  // namespace
+
+Expected<void> writeReport(const RailSummary& summary, const Recipe& recipe,
+                           const std::optional<ProfileResult>& example, bool simulation,
+                           const std::filesystem::path& file) {
+  ensureApplication();
+  RailReport report;
+  report.summary = &summary;
+  report.recipe = &recipe;
+  report.example = example ? &*example : nullptr;
+  report.programVersion = VIGNOLE_VERSION;
+  report.simulation = simulation;
+  return writeRailReport(report, file);
+}
+
+#else
+
+Expected<void> writeReport(const RailSummary&, const Recipe&, const std::optional<ProfileResult>&, bool,
+                           const std::filesystem::path& file) {
+  return checkReportFile(file);
+}
+
+#endif
+
+}  // namespace vignole::cli
