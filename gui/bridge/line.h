@@ -1,0 +1,80 @@
+#pragma once
+// A line that is measured, as the screens see it: commands down, snapshots up. Everything here belongs to the window's
+// thread; what comes from the engine's threads has passed a mailbox or a lock before.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/inspection/inspection.h"
+#include "engine/inspection/rail_summary.h"
+#include "engine/recipe/recipe.h"
+
+namespace vignole {
+
+enum class LineState {
+  Idle,       ///< never started
+  Armed,      ///< running, no rail in the gauge
+  Measuring,  ///< profiles arrive
+  Silent,     ///< a rail is in the gauge and no profile has come for a while
+  Stopped,    ///< stopped by a person
+  Fault,      ///< the source or the engine ended with an error
+};
+
+/// A camera that has given nothing for several triggers on end.
+struct LostCamera {
+  int camera = 0;  ///< 0..3 (people see 1..4)
+  double fromM = 0;
+  std::string reason;
+};
+
+/// A dimension that could not be measured for several profiles on end.
+struct UnmeasuredDimension {
+  Dimension dimension = Dimension::RH;
+  double fromM = 0;
+  std::string reason;
+};
+
+struct PassedRail {
+  std::string id;
+  Verdict verdict = Verdict::NotMeasured;
+};
+
+struct LineSnapshot {
+  LineState state = LineState::Idle;
+  std::string error;               ///< of Fault
+  const Recipe* recipe = nullptr;  ///< never null
+  std::string calibrationMethod;
+  bool simulation = true;
+  std::shared_ptr<const ProfileResult> latest;  ///< null: no profile yet
+  double ageS = 0;                              ///< of `latest`
+  std::shared_ptr<const RailSummary> rail;      ///< the rail of `latest` so far; null: no rail yet
+  std::vector<LostCamera> lostCameras;
+  std::vector<UnmeasuredDimension> unmeasured;
+  std::vector<PassedRail> passed;                ///< oldest first, the last dozen
+  std::uint64_t railsPassed = 0, railsGood = 0;  ///< since the program started
+  double profilesPerS = 0, expectedPerS = 0;
+  std::uint64_t recentIncomplete = 0;  ///< triggers not measured completely on this rail
+  std::vector<StageStatistics> stages;
+  TriggerLedger triggers;
+
+  /// Values are no longer live: they are shown grey, with their age.
+  [[nodiscard]] bool held() const { return latest && state != LineState::Measuring && ageS > 1.0; }
+};
+
+/// How much a pull brings up to date: the newest profile, or summaries and counters as well.
+enum class PullDetail { Profile, Everything };
+
+class Line {
+ public:
+  virtual ~Line() = default;
+  virtual void start() = 0;
+  virtual void stop() = 0;  ///< asks and returns at once
+  [[nodiscard]] virtual bool running() const = 0;
+  /// Valid until the next pull. Cheap: called on every display tick.
+  [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
+};
+
+}  // namespace vignole

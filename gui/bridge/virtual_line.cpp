@@ -1,0 +1,92 @@
+#include "gui/bridge/virtual_line.h"
+
+#include <limits>
+
+#include "gui/bridge/rail_watch.h"
+
+namespace vignole {
+
+namespace {
+/// Without a profile for so long, with a rail in the gauge, the line is silent: the threshold of a stale value.
+constexpr double kSilentS = 1.0;
+}  // namespace
+
+struct VirtualLine::Impl {
+  VirtualLineSettings settings;
+  std::shared_ptr<const VirtualRig> rig;
+  RailWatch watch;
+  // The inspection uses source and watch: it is declared last and goes first.
+  std::unique_ptr<FrameSource> source;
+  std::unique_ptr<Inspection> inspection;
+  std::uint64_t starts = 0;
+  bool stopAsked = false;
+  LineSnapshot snapshot;
+
+  Impl(VirtualLineSettings s, std::shared_ptr<const VirtualRig> r)
+      : settings(std::move(s)), rig(std::move(r)), watch(settings.recipe, rig->calibration().id) {
+    snapshot.recipe = &settings.recipe;
+    snapshot.calibrationMethod = rig->calibration().method;
+    snapshot.expectedPerS = settings.rig.speedMmPerS / settings.rig.spacingMm;
+  }
+
+  [[nodiscard]] LineState state() const {
+    if (starts == 0) return LineState::Idle;
+    if (const auto end = watch.ended(); end && !end->empty() && !stopAsked) return LineState::Fault;
+    if (!inspection->running()) return LineState::Stopped;
+    if (!watch.railUnderWay() || !snapshot.latest) return LineState::Armed;
+    return snapshot.ageS > kSilentS ? LineState::Silent : LineState::Measuring;
+  }
+};
+
+Expected<std::unique_ptr<VirtualLine>> VirtualLine::create(const VirtualLineSettings& settings) {
+  auto rig = VirtualRig::create(settings.rig);
+  if (!rig) return tl::unexpected(rig.error());
+  return std::unique_ptr<VirtualLine>(new VirtualLine(std::make_unique<Impl>(settings, *std::move(rig))));
+}
+
+VirtualLine::VirtualLine(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VirtualLine::~VirtualLine() = default;
+
+void VirtualLine::start() {
+  Impl& i = *impl_;
+  if (running()) return;
+  i.inspection.reset();  // joins what has ended; before its source goes
+  if (i.starts > 0) {
+    // The same rig sees another rail, as a mill would: only the seed of the rail moves on.
+    VirtualRigSettings next = i.settings.rig;
+    next.rigSeed = i.settings.rig.rigSeed.value_or(i.settings.rig.seed);
+    next.seed = i.settings.rig.seed + i.starts;
+    if (auto rig = VirtualRig::create(next)) i.rig = *std::move(rig);
+  }
+  VirtualSourceSettings source;
+  source.rails = std::numeric_limits<int>::max();
+  source.lengthMm = i.settings.railLengthMm;
+  source.paced = true;
+  i.source = makeVirtualSource(i.rig, source);
+  i.watch.restart();
+  i.stopAsked = false;
+  ++i.starts;
+  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), i.watch.observer());
+  i.inspection->start();
+}
+
+void VirtualLine::stop() {
+  impl_->stopAsked = true;
+  if (impl_->inspection) impl_->inspection->stop();
+}
+
+bool VirtualLine::running() const { return impl_->inspection && impl_->inspection->running(); }
+
+const LineSnapshot& VirtualLine::pull(PullDetail detail) {
+  Impl& i = *impl_;
+  i.watch.fill(i.snapshot, detail, RailWatch::Clock::now());
+  i.snapshot.state = i.state();
+  if (detail == PullDetail::Everything && i.inspection) {
+    i.snapshot.stages = i.inspection->stages();
+    i.snapshot.triggers = i.inspection->triggers();
+    i.snapshot.error = i.watch.ended().value_or("");
+  }
+  return i.snapshot;
+}
+
+}  // namespace vignole

@@ -1,0 +1,35 @@
+#pragma once
+// The virtual rig, measured by the whole pipeline in real time, as a Line.
+
+#include <memory>
+
+#include "engine/geometry/expected.h"
+#include "engine/simulator/virtual_rig.h"
+#include "gui/bridge/line.h"
+
+namespace vignole {
+
+struct VirtualLineSettings {
+  Recipe recipe;
+  VirtualRigSettings rig;  ///< its section is what is rendered
+  double railLengthMm = 60000;
+};
+
+class VirtualLine : public Line {
+ public:
+  /// Builds the rig; the error tells what it refuses.
+  [[nodiscard]] static Expected<std::unique_ptr<VirtualLine>> create(const VirtualLineSettings& settings);
+  ~VirtualLine() override;  ///< stops and joins
+
+  void start() override;
+  void stop() override;
+  [[nodiscard]] bool running() const override;
+  [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
+
+ private:
+  struct Impl;
+  explicit VirtualLine(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vignole

@@ -1,0 +1,100 @@
+// vignole: the HMI. Composition root: makes the line, hands it to the window, sets theme and fonts.
+
+#include <QApplication>
+#include <QSaveFile>
+#include <QTimer>
+#include <cstdio>
+
+#include "gui/bridge/self_test.h"
+#include "gui/bridge/virtual_line.h"
+#include "gui/main_window/main_window.h"
+#include "gui/main_window/options.h"
+#include "gui/monitor/dimension_table.h"
+#include "gui/monitor/monitor_page.h"
+
+namespace {
+
+using namespace vignole;
+
+enum ExitCode : int { kDone = 0, kBadInput = 2, kWorldFailed = 3 };
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "vignole: %s\n", error.message().c_str());
+  return error.kind == ErrorKind::Input ? kBadInput : kWorldFailed;
+}
+
+bool hasDisplay() { return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"); }
+
+/// Pictures and self-tests need no display; a person does.
+Expected<void> choosePlatform(const Options& options) {
+  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return {};
+  const bool unattended = !options.screenshot.empty() || options.selfTestS;
+  if (!options.screenshot.empty() || (unattended && !hasDisplay()))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  else if (!hasDisplay())
+    return worldError("display",
+                      "there is none (DISPLAY and WAYLAND_DISPLAY are empty); use vignole-cli inspect, or "
+                      "--screenshot FILE for a picture of the window");
+  return {};
+}
+
+Expected<void> savePicture(QWidget& window, const std::string& file) {
+  QSaveFile out(QString::fromStdString(file));
+  if (!out.open(QIODevice::WriteOnly) || !window.grab().save(&out, "PNG") || !out.commit())
+    return worldError(file, "cannot be written: " + out.errorString().toStdString());
+  return {};
+}
+
+int run(QApplication& app, const Options& options) {
+  if (auto fonts = installFonts(); !fonts) return fail(fonts.error());
+  auto line = VirtualLine::create(options.line);
+  if (!line) return fail(line.error());
+  Theme theme(options.dark);
+  MainWindow window(**line, theme);
+  window.resize(options.size);
+  const ProcessUse begin = processUse();
+  (*line)->start();
+  const bool unattended = !options.screenshot.empty() || options.selfTestS;
+  if (unattended)
+    window.show();
+  else
+    window.showMaximized();
+  if (const auto chosen = dimensionFromName(options.chosenDimension)) window.monitor().table().choose(chosen);
+  window.monitor().setPipelineShown(options.pipeline);
+  window.startTicking();
+
+  int exitCode = kDone;
+  if (!options.screenshot.empty()) {
+    QTimer::singleShot(static_cast<int>(options.afterS * 1000), &window, [&] {
+      window.tick(PullDetail::Everything);
+      if (auto saved = savePicture(window, options.screenshot); !saved) exitCode = fail(saved.error());
+      app.quit();
+    });
+  } else if (options.selfTestS) {
+    QTimer::singleShot(static_cast<int>(*options.selfTestS * 1000), &window, [&] {
+      const std::string json =
+          selfTestJson((*line)->pull(PullDetail::Everything), window.watchdog(), begin, processUse());
+      std::printf("%s\n", json.c_str());
+      app.quit();
+    });
+  }
+  const int code = QApplication::exec();
+  (*line)->stop();
+  return code != 0 ? code : exitCode;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const OptionsOutcome outcome = readOptions(argc, argv, VIGNOLE_VERSION);
+  if (!outcome.options) {
+    std::fputs(outcome.text.c_str(), outcome.exitCode == 0 ? stdout : stderr);
+    return outcome.exitCode;
+  }
+  if (auto platform = choosePlatform(*outcome.options); !platform) return fail(platform.error());
+  int qtArgc = 1;  // the command line is ours; Qt's own options come from its environment variables
+  QApplication app(qtArgc, argv);
+  QApplication::setApplicationName(QStringLiteral("vignole"));
+  QApplication::setApplicationVersion(QStringLiteral(VIGNOLE_VERSION));
+  return run(app, *outcome.options);
+}

@@ -1,0 +1,36 @@
+#pragma once
+// The one alarm that matters most, with its action; a grey sentence when there is none.
+
+#include <QDateTime>
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "gui/monitor/judgement.h"
+#include "gui/theme/theme.h"
+
+namespace vignole {
+
+class AlarmLine : public QWidget {
+  Q_OBJECT
+
+ public:
+  AlarmLine(const Theme& theme, std::function<QDateTime()> clock, QWidget* parent = nullptr);
+  void show(const LineSnapshot& line);
+  [[nodiscard]] const std::optional<Alarm>& alarm() const { return alarm_; }
+  [[nodiscard]] const QString& quiet() const { return quiet_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintPriority(QPainter& painter, const QRectF& box) const;
+
+  const Theme& theme_;
+  std::function<QDateTime()> clock_;
+  std::optional<Alarm> alarm_;
+  QDateTime since_;
+  QString quiet_;
+};
+
+}  // namespace vignole

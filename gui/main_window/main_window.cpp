@@ -1,0 +1,132 @@
+#include "gui/main_window/main_window.h"
+
+#include <QCloseEvent>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include "gui/main_window/alarm_line.h"
+#include "gui/main_window/header_bar.h"
+#include "gui/main_window/page_bar.h"
+#include "gui/monitor/dimension_table.h"
+#include "gui/monitor/monitor_page.h"
+
+namespace vignole {
+
+namespace {
+constexpr int kTickMs = 33;          // 30 pictures a second at most
+constexpr int kTicksPerFigures = 6;  // five times a second: faster digits cannot be read
+}  // namespace
+
+MainWindow::MainWindow(Line& line, Theme& theme, Clock clock) : line_(line), theme_(theme) {
+  setWindowTitle(tr("Vignole"));
+  auto* content = new QWidget(this);
+  content->setObjectName(QStringLiteral("page"));
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  header_ = new HeaderBar(theme, clock, content);
+  monitor_ = new MonitorPage(theme, *line.pull(PullDetail::Profile).recipe, content);
+  alarm_ = new AlarmLine(theme, clock, content);
+  pages_ = new PageBar(theme, content);
+  column->addWidget(header_);
+  column->addWidget(monitor_, 1);
+  column->addWidget(alarm_);
+  column->addWidget(pages_);
+  setCentralWidget(content);
+  setMinimumSize(1280, 720);
+
+  const auto restyle = [this] { setStyleSheet(theme_.styleSheet()); };
+  restyle();
+  connect(&theme_, &Theme::changed, this, restyle);
+  connect(&header_->themeButton(), &QPushButton::clicked, this, [this] { theme_.setDark(!theme_.dark()); });
+  connect(pages_, &PageBar::monitorAsked, this, &MainWindow::escape);
+  connect(pages_, &PageBar::pipelineAsked, this, [this] { monitor_->setPipelineShown(!monitor_->pipelineShown()); });
+  connect(pages_, &PageBar::fullViewAsked, this, [this] { monitor_->setFullView(!monitor_->fullView()); });
+  connect(pages_, &PageBar::runAsked, this, &MainWindow::toggleRun);
+  connect(monitor_, &MonitorPage::pipelineShownChanged, pages_, &PageBar::setPipelineShown);
+  connect(monitor_, &MonitorPage::pipelineShownChanged, this, [this] { tick(PullDetail::Everything); });
+  connect(monitor_, &MonitorPage::fullViewChanged, pages_, &PageBar::setFullView);
+  bindKeys();
+
+  ticks_.setInterval(kTickMs);
+  ticks_.setTimerType(Qt::PreciseTimer);
+  connect(&ticks_, &QTimer::timeout, this,
+          [this] { tick(tickNumber_++ % kTicksPerFigures == 0 ? PullDetail::Everything : PullDetail::Profile); });
+  seconds_.setInterval(1000);
+  connect(&seconds_, &QTimer::timeout, header_, &HeaderBar::beat);
+  tick(PullDetail::Everything);
+}
+
+void MainWindow::startTicking() {
+  watchdog_.start();
+  ticks_.start();
+  seconds_.start();
+}
+
+void MainWindow::tick(PullDetail detail) {
+  const LineSnapshot& line = line_.pull(detail);
+  monitor_->showProfile(line);
+  if (detail == PullDetail::Profile) return;
+  header_->show(line);
+  alarm_->show(line);
+  pages_->setRunning(line_.running());
+  monitor_->showFigures(line, {watchdog_.quantileMs(0.99), watchdog_.maxMs()});
+}
+
+void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) {
+  auto* shortcut = new QShortcut(key, this);
+  connect(shortcut, &QShortcut::activated, this, std::move(action));
+}
+
+void MainWindow::bindKeys() {
+  bindKey(Qt::Key_F1, [this] { escape(); });
+  const ProfileView views[] = {ProfileView::Whole, ProfileView::Head, ProfileView::Web, ProfileView::Foot};
+  for (int i = 0; i < 4; ++i)
+    bindKey(QKeySequence(Qt::Key_1 + i), [this, view = views[i]] { monitor_->setView(view); });
+  bindKey(Qt::Key_Plus, [this] { monitor_->magnifyMore(); });
+  bindKey(Qt::Key_Equal, [this] { monitor_->magnifyMore(); });  // + without Shift on many keyboards
+  bindKey(Qt::Key_Minus, [this] { monitor_->magnifyLess(); });
+  bindKey(Qt::Key_0, [this] { monitor_->resetMagnification(); });
+  bindKey(Qt::Key_C, [this] { monitor_->setByCamera(!monitor_->byCamera()); });
+  bindKey(Qt::Key_H, [this] { monitor_->setPipelineShown(!monitor_->pipelineShown()); });
+  bindKey(Qt::Key_F11, [this] { monitor_->setFullView(!monitor_->fullView()); });
+  bindKey(Qt::Key_Escape, [this] { escape(); });
+  bindKey(Qt::CTRL | Qt::Key_D, [this] { theme_.setDark(!theme_.dark()); });
+  bindKey(Qt::CTRL | Qt::Key_R, [this] { toggleRun(); });
+}
+
+// One step back at a time: full view, pipeline, then the chosen dimension.
+void MainWindow::escape() {
+  if (monitor_->fullView())
+    monitor_->setFullView(false);
+  else if (monitor_->pipelineShown())
+    monitor_->setPipelineShown(false);
+  else
+    monitor_->table().choose({});
+}
+
+void MainWindow::toggleRun() {
+  if (line_.running())
+    line_.stop();
+  else
+    line_.start();
+  tick(PullDetail::Everything);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  ticks_.stop();
+  seconds_.stop();
+  line_.stop();  // asks; the line's owner joins its threads
+  event->accept();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  const bool low = height() < 900;
+  header_->setFixedHeight(low ? 56 : 64);
+  alarm_->setFixedHeight(low ? 40 : 48);
+  pages_->setFixedHeight(low ? 48 : 56);
+}
+
+}  // namespace vignole

@@ -1,0 +1,124 @@
+#include "gui/main_window/options.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <QString>
+#include <QStringList>
+#include <cmath>
+
+#include "engine/recipe/recipe.h"
+
+namespace vignole {
+
+namespace {
+
+struct RawOptions {
+  std::string page = "monitor", theme = "light", size = "1920x1080", recipe = "60E1";
+  std::vector<std::string> effects, faults, deviations;
+};
+
+Expected<QSize> parseSize(const std::string& text) {
+  const QStringList parts = QString::fromStdString(text).split('x');
+  bool okWidth = false, okHeight = false;
+  const int width = parts.value(0).toInt(&okWidth), height = parts.value(1).toInt(&okHeight);
+  if (parts.size() != 2 || !okWidth || !okHeight || width < 1280 || height < 720 || width > 15360 || height > 8640)
+    return inputError("--size", "\"" + text + "\" is not WIDTHxHEIGHT from 1280x720 to 15360x8640, as in 1920x1080");
+  return QSize(width, height);
+}
+
+Expected<void> applyDeviation(VirtualRigSettings& rig, const std::string& text) {
+  const auto split = text.find('=');
+  const auto dimension = dimensionFromName(text.substr(0, split));
+  if (!dimension) {
+    std::string names;
+    for (const Dimension d : kDimensions) names += (names.empty() ? "" : ", ") + std::string(name(d));
+    return inputError("--deviation", "no dimension \"" + text.substr(0, split) + "\"; there are " + names);
+  }
+  bool ok = false;
+  const double mm = split == std::string::npos ? 0 : QString::fromStdString(text.substr(split + 1)).toDouble(&ok);
+  if (!ok || !std::isfinite(mm)) return inputError("--deviation", "\"" + text + "\" is not DIM=MM, as in WT=1.03");
+  rig.deviationMm[index(*dimension)] = mm;
+  return {};
+}
+
+Expected<void> fillLine(VirtualLineSettings& line, const RawOptions& raw) {
+  auto recipe = findRecipe(raw.recipe);
+  if (!recipe) return tl::unexpected(recipe.error());
+  line.recipe = *std::move(recipe);
+  line.rig.section = line.recipe.section;
+  line.rig.parameters = line.recipe.parameters;
+  for (const std::string& effect : raw.effects)
+    if (auto done = applyEffect(line.rig.effects, effect); !done) return done;
+  for (const std::string& text : raw.faults) {
+    auto fault = parseFault(text);
+    if (!fault) return tl::unexpected(fault.error());
+    line.rig.faults.push_back(*std::move(fault));
+  }
+  for (const std::string& deviation : raw.deviations)
+    if (auto done = applyDeviation(line.rig, deviation); !done) return done;
+  return {};
+}
+
+Expected<void> finish(Options& options, const RawOptions& raw) {
+  if (raw.page != "monitor")
+    return inputError("--page", "there is no page \"" + raw.page + "\" in this version; there is monitor");
+  if (raw.theme != "light" && raw.theme != "dark")
+    return inputError("--theme", "\"" + raw.theme + "\" is neither light nor dark");
+  options.dark = raw.theme == "dark";
+  if (!options.chosenDimension.empty() && !dimensionFromName(options.chosenDimension))
+    return inputError("--choose", "no dimension \"" + options.chosenDimension + "\"");
+  const auto size = parseSize(raw.size);
+  if (!size) return tl::unexpected(size.error());
+  options.size = *size;
+  return fillLine(options.line, raw);
+}
+
+}  // namespace
+
+OptionsOutcome readOptions(int argc, const char* const* argv, const std::string& version) {
+  CLI::App app{
+      "The HMI of Vignole on the virtual rig.\n"
+      "Example: vignole --theme dark --deviation WT=1.03"};
+  app.set_version_flag("--version", "vignole " + version);
+  RawOptions raw;
+  Options options;
+  VirtualRigSettings& rig = options.line.rig;
+  double lengthM = options.line.railLengthMm / 1000, speedMPerS = rig.speedMmPerS / 1000;
+  std::uint64_t rigSeed = 0;
+  app.add_option("--page", raw.page, "page to show: monitor");
+  app.add_option("--theme", raw.theme, "light or dark");
+  app.add_option("--recipe", raw.recipe, "name or file of the recipe (default 60E1)");
+  app.add_option("--seed", rig.seed, "of the virtual rail (default 1)");
+  auto* rigSeedOption = app.add_option("--rig-seed", rigSeed, "of the virtual rig (default: the seed)");
+  app.add_option("--length", lengthM, "of a virtual rail in m (default 60)")->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--speed", speedMPerS, "of the virtual rail in m/s (default 1)")->check(CLI::Range(0.001, 20.0));
+  app.add_option("--spacing", rig.spacingMm, "of the profiles in mm (default 15)")->check(CLI::Range(0.1, 10000.0));
+  app.add_option("--effect", raw.effects, "NAME=on|off|VALUE, an effect of the virtual rig; may be repeated");
+  app.add_option("--fault", raw.faults, "KIND[=VALUE][@CAMERA][:FROM-TO]; may be repeated");
+  app.add_option("--deviation", raw.deviations, "DIM=MM from nominal; may be repeated");
+  app.add_option("--screenshot", options.screenshot, "render the page offscreen into this PNG and leave");
+  app.add_option("--size", raw.size, "of the window, WIDTHxHEIGHT (default 1920x1080)");
+  app.add_option("--after", options.afterS, "seconds before the screenshot (default 5)")
+      ->check(CLI::Range(0.0, 86400.0));
+  app.add_option("--choose", options.chosenDimension, "dimension whose row is chosen at the start");
+  app.add_flag("--pipeline", options.pipeline, "start with the pipeline in place of the drawing");
+  app.add_option("--self-test", options.selfTestS, "run SECONDS, print one JSON document and leave")
+      ->check(CLI::Range(0.1, 86400.0));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForVersion& e) {
+    return {{}, std::string(e.what()) + "\n", 0};
+  } catch (const CLI::Success&) {
+    return {{}, app.help(), 0};
+  } catch (const CLI::ParseError& e) {
+    return {{}, "vignole: command line: " + std::string(e.what()) + " (see --help)\n", 2};
+  }
+  options.line.railLengthMm = lengthM * 1000;
+  rig.speedMmPerS = speedMPerS * 1000;
+  if (rigSeedOption->count() > 0) rig.rigSeed = rigSeed;
+  if (auto done = finish(options, raw); !done) return {{}, "vignole: " + done.error().message() + "\n", 2};
+  return {std::move(options), {}, 0};
+}
+
+}  // namespace vignole

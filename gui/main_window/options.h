@@ -1,0 +1,34 @@
+#pragma once
+// What `vignole` understands on its command line.
+
+#include <QSize>
+#include <optional>
+#include <string>
+
+#include "engine/geometry/expected.h"
+#include "gui/bridge/virtual_line.h"
+
+namespace vignole {
+
+struct Options {
+  bool dark = false;
+  std::string screenshot;  ///< file; empty: none
+  QSize size{1920, 1080};
+  double afterS = 5;
+  std::optional<double> selfTestS;
+  std::string chosenDimension;  ///< shown as if its row had been chosen; empty: none
+  bool pipeline = false;        ///< Monitor with the pipeline in place of the drawing
+  VirtualLineSettings line;
+};
+
+/// What is left to do after reading the command line: run, or print `text` and leave with `exitCode`.
+struct OptionsOutcome {
+  std::optional<Options> options;
+  std::string text;
+  int exitCode = 0;
+};
+
+/// The outcome of a bad option is one line that names it, exit code 2.
+[[nodiscard]] OptionsOutcome readOptions(int argc, const char* const* argv, const std::string& version);
+
+}  // namespace vignole

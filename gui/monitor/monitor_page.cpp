@@ -1,0 +1,259 @@
+#include "gui/monitor/monitor_page.h"
+
+#include <QButtonGroup>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "gui/monitor/dimension_table.h"
+#include "gui/monitor/judgement.h"
+#include "gui/monitor/last_rails.h"
+#include "gui/monitor/profile_canvas.h"
+#include "gui/monitor/verdict_panel.h"
+#include "gui/plots/strip_chart.h"
+#include "gui/theme/inscription.h"
+#include "report/dimension_text.h"
+
+namespace vignole {
+
+namespace {
+
+constexpr std::array<double, 7> kMagnifications = {1, 2, 5, 10, 20, 50, 100};
+constexpr double kStartMagnification = 20;
+// The second strip leaves windows narrower or lower than this.
+constexpr int kWidthForTwoStrips = 1500, kHeightForTwoStrips = 700;
+
+StripSeries seriesOf(const LineSnapshot& line, Dimension dimension) {
+  StripSeries series;
+  series.name = inscribed(dimension);
+  series.value = QStringLiteral("–");
+  series.held = line.held();
+  if (line.latest) {
+    const DimensionResult& r = line.latest->measurement.dimensions[index(dimension)];
+    series.symbol = symbolOf(r.verdict);
+    series.nominalMm = r.nominalMm;
+    series.lowerMm = r.lowerMm;
+    series.upperMm = r.upperMm;
+    series.positionM = line.latest->profile.positionMm / 1000;
+    series.value = r.valueMm ? numberText(*r.valueMm, decimalsOf(dimension)) : QStringLiteral("no value");
+  }
+  if (line.rail) {
+    const DimensionSummary& summary = line.rail->dimensions[index(dimension)];
+    series.lengthM = line.rail->rail.lengthMm / 1000;
+    for (const TrackBin& bin : summary.track)
+      if (bin.count > 0) series.points.append({bin.positionM, bin.meanMm});
+    for (const DimensionException& e : summary.exceptions) series.outside.append({e.fromM, e.toM});
+  }
+  if (series.held) series.note = lineState(line.state).word;
+  return series;
+}
+
+}  // namespace
+
+MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent)
+    : QWidget(parent), theme_(theme), drawingPanel_(new QFrame(this)), tablePanel_(new QFrame(this)) {
+  setObjectName(QStringLiteral("page"));
+  drawingPanel_->setObjectName(QStringLiteral("plotPanel"));
+  tablePanel_->setObjectName(QStringLiteral("panel"));
+
+  toolbar_ = makeToolbar();
+  canvas_ = new ProfileCanvas(theme, recipe, drawingPanel_);
+  auto* drawing = new QVBoxLayout(drawingPanel_);
+  drawing->setContentsMargins(16, 12, 16, 8);
+  drawing->setSpacing(8);
+  drawing->addWidget(toolbar_);
+  drawing->addWidget(canvas_, 1);
+
+  pipeline_ = new PipelinePanel(theme, this);
+  for (StripChart*& strip : strips_) strip = new StripChart(theme, this);
+  verdict_ = new VerdictPanel(theme, this);
+  table_ = new DimensionTable(theme, tablePanel_);
+  auto* frame = new QVBoxLayout(tablePanel_);
+  frame->setContentsMargins(1, 1, 1, 1);
+  frame->addWidget(table_);
+  lastRails_ = new LastRails(theme, this);
+  QWidget::setTabOrder(byCamera_, table_);
+
+  connect(table_, &DimensionTable::chosenChanged, this, [this] { pointAtDimension(nullptr); });
+  connect(&theme_, &Theme::changed, this, [this] {
+    less_->setIcon(theme_.icon("minus", 20, theme_.palette().t1, devicePixelRatioF()));
+    more_->setIcon(theme_.icon("add", 20, theme_.palette().t1, devicePixelRatioF()));
+  });
+  setMagnification(kStartMagnification);
+}
+
+QWidget* MonitorPage::makeToolbar() {
+  auto* bar = new QWidget(drawingPanel_);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  views_ = new QButtonGroup(this);
+  views_->setExclusive(true);
+  const std::pair<QString, ProfileView> views[] = {{tr("Whole"), ProfileView::Whole},
+                                                   {tr("Head"), ProfileView::Head},
+                                                   {tr("Web"), ProfileView::Web},
+                                                   {tr("Foot"), ProfileView::Foot}};
+  for (const auto& [word, view] : views) {
+    auto* button = new QPushButton(word, bar);
+    button->setCheckable(true);
+    button->setFont(uiFont(16, 500));
+    const int key = static_cast<int>(view) + 1;
+    button->setAccessibleName(tr("View: %1").arg(word.toLower()));
+    button->setToolTip(tr("%1 of the section (%2)").arg(word).arg(key));
+    views_->addButton(button, static_cast<int>(view));
+    row->addWidget(button);
+  }
+  views_->button(0)->setChecked(true);
+  connect(views_, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<ProfileView>(id)); });
+
+  row->addSpacing(16);
+  less_ = new QPushButton(bar);
+  less_->setIcon(theme_.icon("minus", 20, theme_.palette().t1, devicePixelRatioF()));
+  less_->setAccessibleName(tr("Magnify deviations less"));
+  less_->setToolTip(tr("Magnify deviations less (−)"));
+  magnificationLabel_ = new QLabel(bar);
+  magnificationLabel_->setFont(uiFont(18, 500));
+  magnificationLabel_->setAlignment(Qt::AlignCenter);
+  magnificationLabel_->setFixedWidth(64);
+  magnificationLabel_->setToolTip(tr("Deviations are drawn so many times larger (0: back to 20)"));
+  more_ = new QPushButton(bar);
+  more_->setIcon(theme_.icon("add", 20, theme_.palette().t1, devicePixelRatioF()));
+  more_->setAccessibleName(tr("Magnify deviations more"));
+  more_->setToolTip(tr("Magnify deviations more (+)"));
+  for (QWidget* w : std::initializer_list<QWidget*>{less_, magnificationLabel_, more_}) row->addWidget(w);
+  for (QPushButton* b : {less_, more_}) {
+    b->setFixedWidth(48);
+    b->setIconSize({20, 20});
+  }
+  connect(less_, &QPushButton::clicked, this, &MonitorPage::magnifyLess);
+  connect(more_, &QPushButton::clicked, this, &MonitorPage::magnifyMore);
+
+  row->addSpacing(16);
+  byCamera_ = new QPushButton(tr("By camera"), bar);
+  byCamera_->setCheckable(true);
+  byCamera_->setFont(uiFont(16, 500));
+  byCamera_->setAccessibleName(tr("Colour points by camera"));
+  byCamera_->setToolTip(tr("Colour points by camera (C)"));
+  connect(byCamera_, &QPushButton::toggled, this, [this](bool on) { canvas_->setByCamera(on); });
+  row->addWidget(byCamera_);
+  row->addStretch(1);
+  return bar;
+}
+
+void MonitorPage::showProfile(const LineSnapshot& line) {
+  if (canvas_->isVisible()) canvas_->show(line);
+}
+
+void MonitorPage::showFigures(const LineSnapshot& line, const WindowHealth& window) {
+  verdict_->show(line);
+  table_->show(line);
+  lastRails_->show(line);
+  showStrips(line);
+  pointAtDimension(&line);
+  if (pipelineShown_) pipeline_->show(line, window);
+}
+
+void MonitorPage::showStrips(const LineSnapshot& line) {
+  std::vector<Dimension> wanted = nearestToLimits(line, strips_.size(), stripDimensions_);
+  // A chosen dimension has the first strip; the nearest other one the second.
+  if (const auto chosen = table_->chosen(); chosen && !wanted.empty()) {
+    const auto at = std::find(wanted.begin(), wanted.end(), *chosen);
+    if (at == wanted.end())
+      wanted.front() = *chosen;
+    else
+      std::iter_swap(wanted.begin(), at);
+  }
+  stripDimensions_ = wanted;
+  for (std::size_t i = 0; i < strips_.size(); ++i)
+    strips_[i]->show(i < wanted.size() ? seriesOf(line, wanted[i]) : StripSeries{});
+}
+
+void MonitorPage::pointAtDimension(const LineSnapshot* line) {
+  if (line) worst_ = worstOutside(*line);
+  const auto chosen = table_->chosen();
+  canvas_->setSelected(chosen ? chosen : worst_);
+}
+
+void MonitorPage::setView(ProfileView view) {
+  views_->button(static_cast<int>(view))->setChecked(true);
+  canvas_->setView(view);
+}
+
+void MonitorPage::setMagnification(double magnification) {
+  magnification_ = std::clamp(magnification, kMagnifications.front(), kMagnifications.back());
+  magnificationLabel_->setText(QStringLiteral("×%1").arg(magnification_));
+  less_->setEnabled(magnification_ > kMagnifications.front());
+  more_->setEnabled(magnification_ < kMagnifications.back());
+  canvas_->setMagnification(magnification_);
+}
+
+void MonitorPage::magnifyMore() {
+  const auto* next = std::upper_bound(kMagnifications.begin(), kMagnifications.end(), magnification_);
+  if (next != kMagnifications.end()) setMagnification(*next);
+}
+
+void MonitorPage::magnifyLess() {
+  const auto* at = std::lower_bound(kMagnifications.begin(), kMagnifications.end(), magnification_);
+  if (at != kMagnifications.begin()) setMagnification(*(at - 1));
+}
+
+void MonitorPage::resetMagnification() { setMagnification(kStartMagnification); }
+void MonitorPage::setByCamera(bool byCamera) { byCamera_->setChecked(byCamera); }
+bool MonitorPage::byCamera() const { return byCamera_->isChecked(); }
+
+void MonitorPage::setFullView(bool full) {
+  if (full == fullView_) return;
+  fullView_ = full;
+  layOut();
+  emit fullViewChanged(full);
+}
+
+void MonitorPage::setPipelineShown(bool shown) {
+  if (shown == pipelineShown_) return;
+  pipelineShown_ = shown;
+  if (shown) setFullView(false);
+  layOut();
+  emit pipelineShownChanged(shown);
+}
+
+void MonitorPage::resizeEvent(QResizeEvent* /*event*/) { layOut(); }
+
+// The grid of the mock-ups: sixteen columns, gutter and margin 16 (8 on small screens); seven columns for the drawing,
+// nine for the figures. Wider windows stretch plots and the drawing.
+void MonitorPage::layOut() {
+  const bool low = height() < 760;
+  const int gap = low || width() < 1600 ? 8 : 16;
+  const QRect area = rect().adjusted(gap, gap, -gap, -gap);
+  for (QWidget* w : std::initializer_list<QWidget*>{verdict_, tablePanel_, lastRails_, strips_[0], strips_[1]})
+    w->setVisible(!fullView_);
+  drawingPanel_->setVisible(fullView_ || !pipelineShown_);
+  pipeline_->setVisible(!fullView_ && pipelineShown_);
+  if (fullView_) {
+    drawingPanel_->setGeometry(area);
+    return;
+  }
+  const bool twoStrips = width() >= kWidthForTwoStrips && height() >= kHeightForTwoStrips;
+  const int leftWidth = qRound((area.width() + gap) * 7.0 / 16) - gap;
+  const int strip = low ? 80 : 88, stripGap = 8;
+  strips_[1]->setVisible(twoStrips);
+  const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
+  const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
+  drawingPanel_->setGeometry(hero);
+  pipeline_->setGeometry(hero);
+  int y = hero.bottom() + 1 + gap;
+  for (StripChart* s : strips_) {
+    s->setGeometry(area.left(), y, leftWidth, strip);
+    y += strip + stripGap;
+  }
+
+  const int right = area.left() + leftWidth + gap, rightWidth = area.right() + 1 - right;
+  const int verdictHeight = low ? 92 : 120, lastHeight = low ? 60 : 96;
+  verdict_->setGeometry(right, area.top(), rightWidth, verdictHeight);
+  lastRails_->setGeometry(right, area.bottom() + 1 - lastHeight, rightWidth, lastHeight);
+  const int tableTop = area.top() + verdictHeight + gap;
+  tablePanel_->setGeometry(right, tableTop, rightWidth, area.bottom() + 1 - lastHeight - gap - tableTop);
+}
+
+}  // namespace vignole

@@ -1,0 +1,80 @@
+#include "gui/theme/theme.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QImageReader>
+
+#include "report/typeface.h"
+
+namespace vignole {
+
+Expected<void> installFonts() {
+  const QFont font = uiFont(16);  // registers what is installed
+  const QStringList families = QFontDatabase::families();
+  if (!families.contains("Roboto") && !families.contains("DejaVu Sans"))
+    return worldError("fonts",
+                      "neither Roboto nor DejaVu Sans is installed, so no text could be read; "
+                      "install fonts-roboto-unhinted and fonts-dejavu-core");
+  QGuiApplication::setFont(font);
+  return {};
+}
+
+QFont uiFont(int pixels, int weight) {
+  return typeface(pixels, weight >= 700 ? QFont::Bold : weight >= 500 ? QFont::Medium : QFont::Normal);
+}
+
+void Theme::setDark(bool dark) {
+  if (dark == palette_->dark) return;
+  palette_ = dark ? &darkPalette() : &lightPalette();
+  emit changed();
+}
+
+QString Theme::styleSheet() const {
+  const Palette& p = *palette_;
+  QString sheet = QStringLiteral(R"(
+    QMainWindow, QWidget#page { background: @bg; }
+    QLabel { background: transparent; color: @t1; }
+    QToolTip { background: @panel2; color: @t1; border: 1px solid @line; padding: 6px; }
+    QFrame#panel { background: @panel; border: 1px solid @line; border-radius: 4px; }
+    QFrame#plotPanel { background: @panel2; border: 1px solid @line; border-radius: 4px; }
+    QPushButton { background: @panel2; color: @t1; border: 1px solid @line; border-radius: 3px; padding: 0 13px;
+                  min-height: 40px; }
+    QPushButton:hover { border-color: @t3; }
+    QPushButton:pressed { background: @accsoft; }
+    QPushButton:checked { background: @accsoft; border: 2px solid @accent; padding: 0 12px; }
+    QPushButton:focus { border: 2px solid @accent; padding: 0 12px; }
+    QPushButton:disabled { color: @t3; }
+    QFrame#pageBar { background: @head; }
+    QFrame#pageBar QPushButton { background: @head; color: @t2; border: 0; border-radius: 0; text-align: left;
+                                 padding: 0 14px; border-top: 4px solid @head; border-right: 1px solid @line; }
+    QFrame#pageBar QPushButton:hover { background: @panel; }
+    QFrame#pageBar QPushButton:checked { background: @panel2; color: @t1; border-top: 4px solid @accent; }
+    QFrame#pageBar QPushButton:focus { border: 2px solid @accent; padding: 2px 12px 0 12px; }
+    QFrame#header { background: @head; }
+    QTableView { background: @panel; border: 0; color: @t1; outline: 0; }
+  )");
+  const std::initializer_list<std::pair<const char*, QColor>> tokens = {
+      {"@bg", p.bg}, {"@panel2", p.panel2}, {"@panel", p.panel}, {"@head", p.head},          {"@line", p.line},
+      {"@t1", p.t1}, {"@t2", p.t2},         {"@t3", p.t3},       {"@accsoft", p.accentSoft}, {"@accent", p.accent},
+  };
+  for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
+  return sheet;
+}
+
+QPixmap Theme::icon(const QString& name, int pixels, const QColor& colour, qreal pixelRatio) const {
+  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  QByteArray svg = file.readAll();
+  svg.replace("currentColor", colour.name().toLatin1());
+  QBuffer buffer(&svg);
+  QImageReader reader(&buffer, "svg");
+  const int device = qRound(pixels * pixelRatio);
+  reader.setScaledSize({device, device});
+  QPixmap pixmap = QPixmap::fromImage(reader.read());
+  pixmap.setDevicePixelRatio(pixelRatio);
+  return pixmap;
+}
+
+}  // namespace vignole
