@@ -7,9 +7,10 @@ namespace vignole {
 
 namespace {
 constexpr double kRowPx = 4;
-constexpr double kMarginPx = 16;  // to the sides of the area
-constexpr double kGapPx = 8;      // to the rail and to other texts
-constexpr double kStepPx = 6;     // of the search
+constexpr double kMarginPx = 16;    // to the sides of the area
+constexpr double kGapPx = 8;        // to the rail and to other texts
+constexpr double kFarthestPx = 24;  // from the widest part of the rail
+constexpr double kStepPx = 6;       // of the search
 }  // namespace
 
 FreeSpace::FreeSpace(const QRectF& area)
@@ -25,6 +26,8 @@ void FreeSpace::occupy(const QPointF& point) {
   Span& span = rows_[row(point.y())];
   span.left = std::min(span.left, point.x());
   span.right = std::max(span.right, point.x());
+  widest_.left = std::min(widest_.left, point.x());
+  widest_.right = std::max(widest_.right, point.x());
 }
 
 void FreeSpace::occupy(const QRectF& rect) { taken_.push_back(rect.adjusted(-kGapPx, -kGapPx, kGapPx, kGapPx)); }
@@ -38,7 +41,9 @@ bool FreeSpace::free(const QRectF& rect) const {
 
 QRectF FreeSpace::find(const QSizeF& size, bool leftSide, double wishedMiddleY) const {
   const auto candidate = [&](double middleY) {
-    const double x = leftSide ? area_.left() + kMarginPx : area_.right() - kMarginPx - size.width();
+    // In a wide area the texts stay beside the rail.
+    const double x = leftSide ? std::max(area_.left() + kMarginPx, widest_.left - kFarthestPx - size.width())
+                              : std::min(area_.right() - kMarginPx - size.width(), widest_.right + kFarthestPx);
     return QRectF(QPointF(x, middleY - size.height() / 2), size);
   };
   for (double distance = 0; distance < area_.height(); distance += kStepPx)

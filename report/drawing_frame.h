@@ -40,6 +40,7 @@ class FreeSpace {
   };
   QRectF area_;
   std::vector<Span> rows_;
+  Span widest_;
   std::vector<QRectF> taken_;
 };
 

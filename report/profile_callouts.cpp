@@ -20,6 +20,7 @@ constexpr double kWidestDetailPx = 232;
 constexpr double kArrowLengthPx = 11, kArrowHalfPx = 4;
 constexpr double kTailPx = 44;          // of an arrow that points inwards from outside
 constexpr double kShortMeasurePx = 70;  // below, arrows stand outside
+constexpr double kLeaderGapPx = 4;
 constexpr std::size_t kMostCallouts = 3;
 
 const QColor& inkOf(Verdict verdict, bool held, const Palette& palette) {
@@ -141,7 +142,7 @@ void ProfileCallouts::paintDimension(const ProfileDrawing& drawing, Dimension d)
     b.setY(level);
     callout.wishedY = isGap(d) ? level - 40 * scale_ : level;
     const bool outside = !isGap(d);
-    const QRectF box = space_.find(sizeOf(callout, callout.detail), callout.leftSide, callout.wishedY);
+    const QRectF box = space_.find(sizeOf(callout), callout.leftSide, callout.wishedY);
     const bool reached = outside && level > box.top() && level < box.bottom();
     const double tail = reached && !callout.leftSide ? box.left() - b.x() - (callout.ground ? 0 : 6) : kTailPx * scale_;
     painter_.setPen(QPen(callout.ink, 1.75));
@@ -152,12 +153,14 @@ void ProfileCallouts::paintDimension(const ProfileDrawing& drawing, Dimension d)
     return;
   }
 
-  if (d == Dimension::HR) {
-    // A radius: one arrow from inside to the crown, along the normal.
-    const QPointF crown = anchors[anchors.size() / 2];
-    painter_.drawLine(crown, crown + QPointF(0, kTailPx * scale_));
-    arrow(crown, QPointF(0, -1));
-    callout.target = crown + QPointF(0, kTailPx * scale_);
+  if (d == Dimension::HR || d == Dimension::HF) {
+    // A radius: one arrow from inside to the crown. A deviation of the crown: one from outside to where it is.
+    const bool inside = d == Dimension::HR;
+    const QPointF crown = inside ? anchors[anchors.size() / 2] : anchors.front();
+    const QPointF tail = crown + QPointF(0, (inside ? 1 : -0.8) * kTailPx * scale_);
+    painter_.drawLine(crown, tail);
+    arrow(crown, QPointF(0, inside ? -1 : 1));
+    callout.target = tail;
     callout.wishedY = callout.target->y();
     paint(callout);
     return;
@@ -207,15 +210,16 @@ void ProfileCallouts::arrow(const QPointF& tip, const QPointF& direction) {
   painter_.setBrush(Qt::NoBrush);
 }
 
-QSizeF ProfileCallouts::sizeOf(const Callout& callout, const QString& detail) const {
+QSizeF ProfileCallouts::sizeOf(const Callout& callout) const {
   const QFont titleFont = typeface(kTitlePx * scale_, QFont::Medium);
   double titleWidth = callout.symbol ? (kSymbolPx + kTextGapPx) * scale_ : 0;
   if (callout.dimension) titleWidth += dimensionNameWidth(titleFont, *callout.dimension) + kTextGapPx * scale_;
   titleWidth += QFontMetricsF(titleFont).horizontalAdvance(callout.title);
   double width = titleWidth, height = 30 * scale_;
-  if (!detail.isEmpty()) {
+  if (!callout.detail.isEmpty()) {
     const QFontMetricsF metrics(typeface(kDetailPx * scale_));
-    const QRectF text = metrics.boundingRect(QRectF(0, 0, kWidestDetailPx * scale_, 1000), Qt::TextWordWrap, detail);
+    const QRectF text =
+        metrics.boundingRect(QRectF(0, 0, kWidestDetailPx * scale_, 1000), Qt::TextWordWrap, callout.detail);
     width = std::max(width, text.width() + 2);
     height += text.height() + 2 * scale_;
   }
@@ -224,20 +228,35 @@ QSizeF ProfileCallouts::sizeOf(const Callout& callout, const QString& detail) co
 }
 
 void ProfileCallouts::paint(const Callout& callout) {
-  const QRectF box = space_.find(sizeOf(callout, callout.detail), callout.leftSide, callout.wishedY);
+  const QRectF box = space_.find(sizeOf(callout), callout.leftSide, callout.wishedY);
   space_.occupy(box);
   if (callout.target) leader(*callout.target, box, callout.ink);
-  paintBox(callout, box, callout.detail);
+  // Boxes come last: a measure of one dimension must not cross the text of another.
+  boxes_.emplace_back(callout, box);
+}
+
+void ProfileCallouts::finish() {
+  for (const auto& [callout, box] : boxes_) paintBox(callout, box);
+  boxes_.clear();
 }
 
 void ProfileCallouts::leader(const QPointF& from, const QRectF& box, const QColor& ink) {
-  const bool toTheRight = from.x() < box.left();
-  const double x = toTheRight ? box.left() - 2 : box.right() + 2;
+  if (!frame_.area.contains(from)) return;
+  QPointF to(std::clamp(from.x(), box.left() + 4, box.right() - 4),
+             std::clamp(from.y(), box.top() + 4, box.bottom() - 4));
+  if (from.x() < box.left())
+    to.setX(box.left() - kLeaderGapPx);
+  else if (from.x() > box.right())
+    to.setX(box.right() + kLeaderGapPx);
+  else if (from.y() > box.bottom())
+    to.setY(box.bottom());
+  else
+    to.setY(box.top());
   painter_.setPen(QPen(ink, 1.5));
-  painter_.drawLine(from, QPointF(x, std::clamp(from.y(), box.top() + 4, box.bottom() - 4)));
+  painter_.drawLine(from, to);
 }
 
-void ProfileCallouts::paintBox(const Callout& callout, const QRectF& box, const QString& detail) {
+void ProfileCallouts::paintBox(const Callout& callout, const QRectF& box) {
   QPointF at = box.topLeft();
   painter_.setPen(Qt::NoPen);
   if (callout.ground) {
@@ -257,11 +276,11 @@ void ProfileCallouts::paintBox(const Callout& callout, const QRectF& box, const 
   double advance = 0;
   if (callout.dimension) advance = drawDimensionName(painter_, baseLine, *callout.dimension) + kTextGapPx * scale_;
   painter_.drawText(baseLine + QPointF(advance, 0), callout.title);
-  if (detail.isEmpty()) return;
+  if (callout.detail.isEmpty()) return;
   painter_.setFont(typeface(kDetailPx * scale_));
   painter_.setPen(callout.ground ? palette_.t1 : palette_.t2);
-  painter_.drawText(QRectF(left, at.y() + 32 * scale_, (kWidestDetailPx + 4) * scale_, box.height()),
-                    Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop, detail);
+  painter_.drawText(QRectF(left, at.y() + 32 * scale_, kWidestDetailPx * scale_, box.height()),
+                    Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop, callout.detail);
 }
 
 }  // namespace vignole

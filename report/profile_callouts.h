@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QString>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "report/drawing_frame.h"
@@ -31,12 +32,13 @@ class ProfileCallouts {
   ProfileCallouts(QPainter& painter, const DrawingFrame& frame, const Palette& palette, double scale, FreeSpace& space);
   /// The dimensions that need a word, worst first, then the chosen one, with their measures.
   void paintDimensions(const ProfileDrawing& drawing);
-  void paint(const Callout& callout);
+  void paint(const Callout& callout);  ///< finds its place and draws its leader
+  void finish();                       ///< draws the texts, over everything else
 
  private:
   void paintDimension(const ProfileDrawing& drawing, Dimension dimension);
-  [[nodiscard]] QSizeF sizeOf(const Callout& callout, const QString& detail) const;
-  void paintBox(const Callout& callout, const QRectF& box, const QString& detail);
+  [[nodiscard]] QSizeF sizeOf(const Callout& callout) const;
+  void paintBox(const Callout& callout, const QRectF& box);
   void leader(const QPointF& from, const QRectF& box, const QColor& ink);
   void arrow(const QPointF& tip, const QPointF& direction);
   void measureLine(const QPointF& a, const QPointF& b, bool outside, double tailPx);
@@ -46,6 +48,7 @@ class ProfileCallouts {
   const Palette& palette_;
   double scale_;
   FreeSpace& space_;
+  std::vector<std::pair<Callout, QRectF>> boxes_;
 };
 
 }  // namespace vignole

@@ -174,7 +174,7 @@ void ProfilePainter::chooseView() {
   const double side = std::min(0.5 * m + 3, 14.0);
   const double bottom = drawing_.view == ProfileView::Web ? 0 : std::min(0.2 * m + 3, 7.0);
   const bool narrowPart = drawing_.view == ProfileView::Head || drawing_.view == ProfileView::Web;
-  const double forTexts = narrowPart ? std::min(0.2 * frame_.area.width(), 190 * scale_) : 8 * scale_;
+  const double forTexts = narrowPart ? std::min(0.07 * frame_.area.width(), 120 * scale_) : 8 * scale_;
   const double across = std::max(40.0, frame_.area.width() - 2 * forTexts);
   frame_.pxPerMm = std::max(0.05, std::min(across / (right - left + 2 * side),
                                            std::max(40.0, frame_.area.height()) / (to - from + top + bottom)));
@@ -414,6 +414,7 @@ void ProfilePainter::paintTexts() {
   callouts.paintDimensions(drawing_);
   if (hasProfile())
     if (const auto unseen = unseenCallout()) callouts.paint(*unseen);
+  callouts.finish();
 }
 
 }  // namespace
