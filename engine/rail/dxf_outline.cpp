@@ -39,15 +39,6 @@ class Collector : public DL_CreationAdapter {
     vertices_.clear();
   }
 
-  // dxflib reads text where a number should be as 0 and says nothing.
-  using DL_CreationAdapter::processCodeValuePair;
-  void processCodeValuePair(unsigned int code, const std::string& value) override {
-    if (code < 10 || code > 59 || refusal) return;
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    if (end == value.c_str() || *end != '\0' || !std::isfinite(number))
-      refusal = "has \"" + value + "\" where group " + std::to_string(code) + " needs a number";
-  }
   using DL_CreationAdapter::setVariableInt;
   void setVariableInt(const std::string& key, int value, int /*code*/) override {
     if (key != "$INSUNITS") return;
@@ -132,6 +123,25 @@ class Collector : public DL_CreationAdapter {
   std::map<std::string, int> counts_;
 };
 
+/// dxflib reads text where a number should be as 0 and says nothing, so the pairs of lines (code, value) are read
+/// before.
+Expected<void> checkNumbers(const std::string& text, const std::string& file) {
+  std::istringstream lines(text);
+  std::string code, value;
+  for (int line = 2; std::getline(lines, code) && std::getline(lines, value); line += 2) {
+    const int group = std::atoi(code.c_str());  // NOLINT(cert-err34-c): no number is 0, which is not checked
+    if (group < 10 || group > 59) continue;
+    if (!value.empty() && value.back() == '\r') value.pop_back();
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    while (*end == ' ') ++end;
+    if (end == value.c_str() || *end != '\0' || !std::isfinite(number))
+      return inputError(file + ":" + std::to_string(line),
+                        "has \"" + value + "\" where group " + std::to_string(group) + " needs a number");
+  }
+  return {};
+}
+
 Primitive scaled(const Primitive& shape, double factor) {
   if (const auto* s = std::get_if<Segment>(&shape)) return Segment{s->start * factor, s->end * factor};
   Arc arc = std::get<Arc>(shape);
@@ -148,6 +158,7 @@ Expected<std::vector<Piece>> readDxf(const std::filesystem::path& file) {
   if (text->starts_with("AutoCAD Binary DXF")) return inputError(file.string(), "is binary DXF; save it as text DXF");
   if (text->find("EOF") == std::string::npos || text->find("ENTITIES") == std::string::npos)
     return inputError(file.string(), "is not a complete DXF file (no ENTITIES section, or no EOF at its end)");
+  if (auto good = checkNumbers(*text, file.string()); !good) return tl::unexpected(good.error());
 
   Collector collector;
   DL_Dxf reader;

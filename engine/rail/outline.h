@@ -22,6 +22,10 @@ struct Piece {
 /// Refuses what does not look like an upright rail with a foot, naming what was looked for.
 [[nodiscard]] Expected<Section> sectionFromOutline(std::vector<Primitive> outline, const std::string& name);
 
+/// The default parameters, but for RFH where 25 mm from the axis is not on both fishing surfaces: the middle of what
+/// they have in common.
+[[nodiscard]] DimensionParameters usualParameters(const Section& section);
+
 /// Entities of a DXF file: LINE, ARC, LWPOLYLINE and POLYLINE with bulges, in mm ($INSUNITS heeded).
 [[nodiscard]] Expected<std::vector<Piece>> readDxf(const std::filesystem::path& file);
 /// MPDn lines of a MiniProf design file.

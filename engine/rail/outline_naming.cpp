@@ -190,7 +190,27 @@ Expected<Section> sectionFromOutline(std::vector<Primitive> outline, const std::
   // The axis of a rail whose head is not over the middle of its foot goes through the middle of the head.
   const double headMiddle = middleX(section, "SHL", "SHR");
   section.axisFromFootMiddleMm = std::abs(headMiddle) < 1e-3 ? 0 : headMiddle;
-  return createSection(std::move(section));
+  auto created = createSection(std::move(section));
+  if (created) created->parameters = usualParameters(*created);
+  return created;
+}
+
+DimensionParameters usualParameters(const Section& section) {
+  DimensionParameters parameters;
+  const auto choose = [&](const char* head, const char* foot, double& fromAxis) {
+    double low = 0, high = std::numeric_limits<double>::infinity();
+    for (const char* surface : {head, foot}) {
+      const Primitive& p = section.primitives[*section.find(surface)].shape;
+      const double a = std::abs(startPoint(p).x() - section.axisXMm()),
+                   b = std::abs(endPoint(p).x() - section.axisXMm());
+      low = std::max(low, std::min(a, b));
+      high = std::min(high, std::max(a, b));
+    }
+    if (low < high && (fromAxis < low || fromAxis > high)) fromAxis = (low + high) / 2;
+  };
+  choose("SHBL", "SWBL", parameters.rfhFromAxisMm.left);
+  choose("SHBR", "SWBR", parameters.rfhFromAxisMm.right);
+  return parameters;
 }
 
 Expected<Section> importSection(const std::filesystem::path& file, const std::string& name) {

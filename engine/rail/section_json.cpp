@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "engine/files/atomic_file.h"
+#include "engine/rail/outline.h"
 #include "engine/rail/section.h"
 
 namespace vignole {
@@ -301,6 +302,7 @@ Expected<Section> loadSection(const std::filesystem::path& file) {
   if (error) return tl::unexpected(*error);
   auto created = createSection(std::move(section));
   if (!created) return inputError(file.string() + ": " + created.error().where, created.error().what);
+  if (!json.contains("format")) created->parameters = usualParameters(*created);
   return created;
 }
 
