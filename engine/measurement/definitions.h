@@ -39,8 +39,10 @@ struct DefinedValue {
   std::optional<T> second;
   T left{}, right{};
   bool hasParts = false;
-  std::array<T, 2> crownEnds{};  ///< HF: deviation at both ends of the compared width
-  std::string reason;            ///< why there is no value
+  /// HF: deviation at the ends of the compared width and on both sides of every change from one fit to another: where
+  /// an extreme may lie besides where it was found.
+  std::vector<T> candidates;
+  std::string reason;  ///< why there is no value
   PrimitiveSet used;
   std::array<Vec<double>, 4> anchors{};  ///< datum frame
   std::size_t anchorCount = 0;
@@ -59,7 +61,9 @@ struct Datum {
 template <typename T>
 class Definitions {
  public:
-  Definitions(const SectionPlan& plan, const DimensionParameters& parameters) : plan_(plan), parameters_(parameters) {}
+  /// `jointSlackMm`: how far a fitted joint may lie from where the section has it, before a point beside it is refused.
+  Definitions(const SectionPlan& plan, const DimensionParameters& parameters, double jointSlackMm)
+      : plan_(plan), parameters_(parameters), jointSlackMm_(jointSlackMm) {}
 
   /// All thirteen; `values` is reused from call to call.
   void evaluate(const Shapes<T>& shapes, PerDimension<DefinedValue<T>>& values) {
@@ -73,6 +77,7 @@ class Definitions {
       v.reason.clear();
       v.used.reset();
       v.anchorCount = 0;
+      v.candidates.clear();
     }
     crownHeight_ = ordinate(plan_.crownOnAxis, T(0), nullptr);
     railHeight(values[index(Dimension::RH)]);
@@ -166,9 +171,9 @@ class Definitions {
     v.reason = "no base line: " + datum_.reason;
     return false;
   }
-  static bool reaches(const CurvePiece<T>& piece, double x, double y) {
+  static bool reaches(const CurvePiece<T>& piece, double x, double y, double slack = 0) {
     const double s = arcPosition(piece, x, y);
-    return s >= piece.fromMm - 1e-6 && s <= piece.toMm + 1e-6;
+    return s >= piece.fromMm - slack - 1e-6 && s <= piece.toMm + slack + 1e-6;
   }
   static std::string number(double mm) {
     char text[32];
@@ -181,7 +186,7 @@ class Definitions {
       return std::nullopt;
     }
     const auto y = ordinateAt(pieces_[primitive], x);
-    if (y && reaches(pieces_[primitive], valueOf(x), valueOf(*y))) return y;
+    if (y && reaches(pieces_[primitive], valueOf(x), valueOf(*y), jointSlackMm_)) return y;
     if (v != nullptr) v->reason = "points do not reach x = " + number(valueOf(x)) + " from the axis";
     return std::nullopt;
   }
@@ -256,7 +261,7 @@ class Definitions {
       if (!need(sample.primitive, v)) return;
       const CurvePiece<double> piece = plain(pieces_[sample.primitive]);
       const auto y = ordinateAt(piece, sample.xMm);
-      if (!y || !reaches(pieces_[sample.primitive], sample.xMm, *y)) {
+      if (!y || !reaches(pieces_[sample.primitive], sample.xMm, *y, jointSlackMm_)) {
         v.reason = "points do not reach x = " + number(sample.xMm) + " from the axis";
         return;
       }
@@ -266,7 +271,8 @@ class Definitions {
     }
     v.value = crownDeviation(plan_.crown[highest], v);
     v.second = crownDeviation(plan_.crown[lowest], v);
-    v.crownEnds = {*crownDeviation(plan_.crown.front(), v), *crownDeviation(plan_.crown.back(), v)};
+    for (std::size_t k = 0; k < plan_.crown.size(); ++k)
+      if (plan_.crown[k].candidate) v.candidates.push_back(*crownDeviation(plan_.crown[k], v));
     for (const CrownSample* sample : {&plan_.crown[highest], &plan_.crown[lowest]})
       anchor(v, sample->xMm, *ordinateAt(plain(pieces_[sample->primitive]), sample->xMm));
   }
@@ -375,6 +381,7 @@ class Definitions {
 
   const SectionPlan& plan_;
   const DimensionParameters& parameters_;
+  double jointSlackMm_;
   const Shapes<T>* shapes_ = nullptr;
   std::vector<CurvePiece<T>> pieces_;
   Datum<T> datum_;

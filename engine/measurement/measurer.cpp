@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/measurement/extreme_error.h"
 #include "engine/measurement/measurement.h"
 #include "engine/measurement/nominal.h"
 #include "engine/measurement/primitive_fits.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kReferenceCelsius = 15;
 constexpr double kCoverage = 2;
+constexpr double kJointSlackMm = 2;  // as far as a defect may move a joint
 
 /// ": camera 3: frame lost" for every camera that is missing; a missing camera explains missing points.
 std::string missingCameras(const Profile& profile) {
@@ -40,7 +42,7 @@ struct Measurer::Impl {
       return;
     }
     fits = std::make_unique<PrimitiveFits>(section, *plan, settings);
-    definitions = std::make_unique<Definitions<GlobalDual>>(*plan, parameters);
+    definitions = std::make_unique<Definitions<GlobalDual>>(*plan, parameters, kJointSlackMm);
   }
 
   void measure(const Profile& profile, const Registration& registration, const RailTemperature& temperature,
@@ -124,16 +126,13 @@ struct Measurer::Impl {
       out.anchors.push_back(registration.worldFromSection * (origin + v.anchors[k].x * along + v.anchors[k].y * up));
   }
 
-  /// An extreme may lie wherever the deviation cannot be told from it: the ends of the crown, where it is least sure,
-  /// count if they are within the guard band (the extreme of a nominal crown would else be the axis, with u = 0).
-  [[nodiscard]] double extremeVariance(const GlobalDual& extreme, const DefinedValue<GlobalDual>& v,
-                                       double sign) const {
-    double variance = fits->variance(extreme);
-    for (const GlobalDual& end : v.crownEnds) {
-      const double ofEnd = fits->variance(end);
-      if (sign * (extreme.value - end.value) < kCoverage * std::sqrt(ofEnd)) variance = std::max(variance, ofEnd);
-    }
-    return variance;
+  /// An extreme may lie at any of the places whose deviation cannot be told from it (on a nominal crown: all of them).
+  /// Its error is the largest of theirs.
+  [[nodiscard]] double extremeVariance(const GlobalDual& extreme, const DefinedValue<GlobalDual>& v, double sign) {
+    extremes.begin(extreme, *fits);
+    extremes.consider(GlobalDual(0), sign);  // the axis itself
+    for (const GlobalDual& candidate : v.candidates) extremes.consider(candidate, sign);
+    return extremes.meanSquareError();
   }
 
   Section section;
@@ -146,6 +145,7 @@ struct Measurer::Impl {
   std::unique_ptr<PrimitiveFits> fits;
   std::unique_ptr<Definitions<GlobalDual>> definitions;
   PerDimension<DefinedValue<GlobalDual>> values;
+  ExtremeError extremes;
 };
 
 Measurer::Measurer(const Section& section, const DimensionParameters& parameters,

@@ -37,7 +37,7 @@ Shapes<double> nominalShapes(const Section& section) {
 Expected<PerDimension<std::optional<double>>> nominalDimensions(const Section& section, const SectionPlan& plan,
                                                                 const DimensionParameters& parameters) {
   PerDimension<DefinedValue<double>> values;
-  Definitions<double>(plan, parameters).evaluate(nominalShapes(section), values);
+  Definitions<double>(plan, parameters, 0).evaluate(nominalShapes(section), values);
   PerDimension<std::optional<double>> nominal;
   for (const Dimension d : kDimensions) {
     const DefinedValue<double>& v = values[index(d)];

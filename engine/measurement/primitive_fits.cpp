@@ -12,7 +12,8 @@ constexpr double kSmoothJointPerMm = 0.01;
 constexpr double kReachMm = 1.5;  // a fit may be read this far beyond the points that were left out of it
 constexpr std::array<double, 4> kTrimDegrees = {1, 0.5, 0.25, 0};
 constexpr int kLongFitPoints = 30;  // a fit with so many points says how the points of a camera scatter
-constexpr double kMisfit = 4;       // a fit that scatters so much more than the others is judged by itself
+constexpr double kPointsPerAbsorbed = 4;
+constexpr double kMisfit = 4;  // a fit that scatters so much more than the others is judged by itself
 
 template <typename Local>
 GlobalDual lifted(const Local& local, std::size_t base, std::size_t count) {
@@ -209,12 +210,14 @@ void PrimitiveFits::publishChain(std::size_t index, std::size_t first, std::size
 /// The scatter of the points about the fits tells how right their sigmas are: speckle and roughness show there.
 void PrimitiveFits::pool(double correlatedPoints) {
   sorted_.clear();
-  const auto reduced = [&](const FitSolution& s) {
-    const double freedom = s.scatter.total() - static_cast<double>(s.unknowns) * correlatedPoints;
-    return freedom > 0 ? s.scatter.sum() / freedom : 0;
+  // Each unknown takes the freedom of as many points as share an error; on short primitives that count is too rough.
+  const auto absorbed = [&](const FitSolution& s) { return static_cast<double>(s.unknowns) * correlatedPoints; };
+  const auto isLong = [&](const FitSolution& s) {
+    return s.scatter.total() >= std::max<double>(kLongFitPoints, kPointsPerAbsorbed * absorbed(s));
   };
+  const auto reduced = [&](const FitSolution& s) { return s.scatter.sum() / (s.scatter.total() - absorbed(s)); };
   for (const Block& b : blocks_)
-    if (b.solution->scatter.total() >= kLongFitPoints) sorted_.push_back(reduced(*b.solution));
+    if (isLong(*b.solution)) sorted_.push_back(reduced(*b.solution));
   double usual = 1;
   if (!sorted_.empty()) {
     const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
@@ -225,11 +228,11 @@ void PrimitiveFits::pool(double correlatedPoints) {
   for (const Block& b : blocks_) {
     const FitScatter& s = b.solution->scatter;
     const int total = s.total();
-    if (total < kLongFitPoints || reduced(*b.solution) > kMisfit * usual) continue;
-    const double share = 1 - static_cast<double>(b.solution->unknowns) * correlatedPoints / total;
+    if (!isLong(*b.solution) || reduced(*b.solution) > kMisfit * usual) continue;
+    const double share = 1 - absorbed(*b.solution) / total;
     for (std::size_t c = 0; c < chi2.size(); ++c) {
       chi2[c] += s.chi2[c];
-      freedom[c] += s.points[c] * std::max(0.0, share);
+      freedom[c] += s.points[c] * share;
     }
   }
   for (Block& b : blocks_) {
@@ -238,8 +241,8 @@ void PrimitiveFits::pool(double correlatedPoints) {
     for (std::size_t c = 0; c < chi2.size(); ++c)
       factor += s.points[c] * (freedom[c] > kLongFitPoints ? std::max(1.0, chi2[c] / freedom[c]) : 1.0);
     factor /= std::max(1, s.total());
-    const double own = reduced(*b.solution);
-    if (own > kMisfit * std::max(1.0, usual)) factor = std::max(factor, own);
+    if (isLong(*b.solution) && reduced(*b.solution) > kMisfit * std::max(1.0, usual))
+      factor = std::max(factor, reduced(*b.solution));
     b.factor = factor * correlatedPoints;
   }
 }
@@ -255,15 +258,20 @@ void PrimitiveFits::fit(const Profile& profile, const Registration& registration
   pool(std::max(1.0, static_cast<double>(profile.correlatedPoints)));
 }
 
-double PrimitiveFits::variance(const GlobalDual& quantity) const {
+double PrimitiveFits::covariance(const GlobalDual& a, const GlobalDual& b) const {
   double sum = 0;
-  for (const Block& b : blocks_) {
-    const auto n = static_cast<int>(b.solution->unknowns);
-    const Eigen::Map<const Eigen::VectorXd> g(quantity.gradient.data() + b.base, n);
+  for (const Block& block : blocks_) {
+    const std::size_t n = block.solution->unknowns;
     double part = 0;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) part += g(i) * b.solution->covariance(i, j) * g(j);
-    sum += part * b.factor;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double g = a.gradient[block.base + i];
+      if (g == 0) continue;
+      double row = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        row += block.solution->covariance(static_cast<int>(i), static_cast<int>(j)) * b.gradient[block.base + j];
+      part += g * row;
+    }
+    sum += part * block.factor;
   }
   return sum;
 }

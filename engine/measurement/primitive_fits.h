@@ -23,7 +23,8 @@ class PrimitiveFits {
   void fit(const Profile& profile, const Registration& registration);
   [[nodiscard]] const Shapes<GlobalDual>& shapes() const { return shapes_; }
   /// Variance of a quantity with this gradient, mm^2.
-  [[nodiscard]] double variance(const GlobalDual& quantity) const;
+  [[nodiscard]] double variance(const GlobalDual& quantity) const { return covariance(quantity, quantity); }
+  [[nodiscard]] double covariance(const GlobalDual& a, const GlobalDual& b) const;
   [[nodiscard]] int pointsOn(const PrimitiveSet& primitives) const;
   /// Fitted primitives in the world.
   void describe(const Transform2& worldFromSection, std::vector<FittedPrimitive>& fitted) const;

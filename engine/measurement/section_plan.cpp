@@ -154,7 +154,12 @@ Expected<void> planCrown(const Section& section, const DimensionParameters& para
   for (double x = -std::floor(parameters.hfHalfWidthMm.left); x <= parameters.hfHalfWidthMm.right + 1e-9; x += 1) {
     const auto p = primitiveOver(section, crown, x);
     if (!p) return inputError(section.name, off(section, Dimension::HF, millimetres(std::abs(x)), "the crown"));
-    plan.crown.push_back({x, *p, *heightOver(section, *p, x) - top});
+    plan.crown.push_back({x, *p, *heightOver(section, *p, x) - top, false});
+  }
+  for (std::size_t k = 0; k < plan.crown.size(); ++k) {
+    const bool end = k == 0 || k + 1 == plan.crown.size();
+    plan.crown[k].candidate = end || plan.crown[k - 1].primitive != plan.crown[k].primitive ||
+                              plan.crown[k + 1].primitive != plan.crown[k].primitive;
   }
   return {};
 }

@@ -20,6 +20,7 @@ struct CrownSample {
   double xMm = 0;
   std::size_t primitive = 0;
   double nominalDropMm = 0;  ///< nominal height minus the nominal height on the axis
+  bool candidate = false;    ///< an end of the width, or next to a joint of primitives
 };
 
 struct SectionPlan {
