@@ -46,6 +46,11 @@ QString deviationText(double value, int decimals) {
   return value >= half ? u'+' + text : text;
 }
 
+QString limitText(double deviationMm) {
+  const double hundredths = 100 * deviationMm;
+  return deviationText(deviationMm, std::abs(hundredths - std::round(hundredths)) < 0.05 ? 2 : 3);
+}
+
 QString wordOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:

@@ -15,6 +15,8 @@ namespace vignole {
 [[nodiscard]] QString numberText(double value, int decimals);
 /// The same with + for positive values.
 [[nodiscard]] QString deviationText(double value, int decimals);
+/// A limit as deviation: two decimals, three where the third is not zero.
+[[nodiscard]] QString limitText(double deviationMm);
 /// "Good", "Near limit", "Out", "Not measured", "No limit".
 [[nodiscard]] QString wordOf(Verdict verdict);
 /// "0.032 above the limit", "0.010 below the limit", "Near limit" ...; for HF and FC after their own rules.

@@ -121,7 +121,7 @@ class ProfilePainter {
     }
     const bool faint = drawing_.held || drawing_.byCamera;
     return {QBrush(faint ? palette_.t3 : palette_.t1), drawing_.byCamera ? 1.0 : 2.0, Qt::SolidLine, Qt::FlatCap,
-            Qt::RoundJoin};
+            Qt::BevelJoin};
   }
 
   void chooseView();

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "report/dimension_text.h"
+#include "report/hatch.h"
 #include "report/profile_drawing.h"
 #include "report/report_parts.h"
 #include "report/state_symbol.h"
@@ -180,7 +181,7 @@ class RailPages {
     item(QStringLiteral("expected value"), dashed);
     item(QStringLiteral("limits; the ground outside is grey"), QPen(palette_.t2, 1.75));
     item(QStringLiteral("exception, with its square"), QPen(QBrush(palette_.out), 4, Qt::SolidLine, Qt::FlatCap));
-    painter_->fillRect(QRectF(x, y - 13, 40, 14), QBrush(palette_.invalid, Qt::BDiagPattern));
+    paintHatch(*painter_, QRectF(x, y - 13, 40, 14), palette_.invalid, 8, 1.5);
     write(text, y, QStringLiteral("not measured"), palette_.t2, 14);
   }
 

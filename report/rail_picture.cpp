@@ -93,11 +93,10 @@ QImage railPicture(const RailReport& report, const Palette& palette) {
   painter.setFont(typeface(16));
   const QRectF right(kMargin + 656, 80, kPicture.width() - 2 * kMargin - 656, 672);
   paintVerdict(painter, QRectF(right.left(), right.top(), right.width(), 116), report, palette);
-  const double scale = 1.375;  // the rest of the column for thirteen rows
   const QRectF table(right.left(), right.top() + 132, right.width(), right.height() - 132);
   panel(painter, table, palette.panel, palette);
-  painter.setFont(typeface(16 * scale));
-  paintDimensionTable(painter, table.adjusted(1, 2, -1, 0), *report.summary, palette);
+  painter.setFont(typeface(16));
+  paintDimensionTable(painter, table.adjusted(1, 4, -1, -1), *report.summary, palette);
 
   const std::vector<Dimension> worst = worstFirst(*report.summary);
   const double half = (kPicture.width() - 3 * kMargin) / 2;

@@ -108,8 +108,8 @@ constexpr ColumnLayout kColumns[] = {{Column::State, "State", 128},
                                      {Column::Exceptions, "Exc.", 46}};
 constexpr double kTableHeadPx = 28, kTableRowPx = 27, kTableTextPx = 16, kTableHeadTextPx = 14;
 
-QString limitsText(const DimensionSummary& s, int decimals) {
-  const auto limit = [&](double mm) { return deviationText(mm - s.nominalMm, std::min(decimals, 2)); };
+QString limitsText(const DimensionSummary& s) {
+  const auto limit = [&](double mm) { return limitText(mm - s.nominalMm); };
   if (s.lowerMm && s.upperMm) return limit(*s.lowerMm) + QStringLiteral(" / ") + limit(*s.upperMm);
   if (s.upperMm) return QStringLiteral("max ") + limit(*s.upperMm);
   if (s.lowerMm) return QStringLiteral("min ") + limit(*s.lowerMm);
@@ -136,7 +136,7 @@ QString cellText(Column column, const DimensionSummary& s) {
     case Column::Expanded:
       return value(2 * s.uMm);
     case Column::Limits:
-      return limitsText(s, decimals);
+      return limitsText(s);
     case Column::Exceptions:
       return s.exceptions.empty() ? QStringLiteral("\u2013") : QString::number(s.exceptions.size());
     case Column::State:
@@ -153,6 +153,7 @@ class TablePainter {
     double weights = 0;
     for (const ColumnLayout& c : kColumns) weights += c.weight;
     unit_ = (area.width() - 24 * scale_) / weights;
+    rowHeight_ = (area.height() - kTableHeadPx * scale_) / static_cast<double>(kDimensionCount);
   }
 
   void paint() {
@@ -164,7 +165,7 @@ class TablePainter {
     double y = area_.top() + kTableHeadPx * scale_;
     for (const Dimension d : kDimensions) {
       paintRow(y, summary_.dimensions[index(d)]);
-      y += kTableRowPx * scale_;
+      y += rowHeight_;
     }
     painter_.setPen(QPen(palette_.line, 1));
     painter_.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
@@ -183,7 +184,7 @@ class TablePainter {
     }
   }
   void paintRow(double y, const DimensionSummary& s) {
-    const QRectF row(area_.left(), y, area_.width(), kTableRowPx * scale_);
+    const QRectF row(area_.left(), y, area_.width(), rowHeight_);
     if (abnormal(s.verdict)) {
       painter_.fillRect(row, softOf(s.verdict, palette_));
       painter_.fillRect(QRectF(row.topLeft(), QSizeF(5 * scale_, row.height())), barOf(s.verdict, palette_));
@@ -195,7 +196,7 @@ class TablePainter {
   void paintCell(Column column, const QRectF& cell, const DimensionSummary& s) {
     const double baseLine = cell.center().y() + 0.36 * kTableTextPx * scale_;
     if (column == Column::State) {
-      const double side = 18 * scale_;
+      const double side = 19 * scale_;
       paintSymbol(painter_, QRectF(cell.left(), cell.center().y() - side / 2, side, side), symbolOf(s.verdict),
                   palette_);
       painter_.setFont(typeface(kTableHeadTextPx * scale_, abnormal(s.verdict) ? QFont::Medium : QFont::Normal));
@@ -216,7 +217,7 @@ class TablePainter {
   QRectF area_;
   const RailSummary& summary_;
   const Palette& palette_;
-  double scale_, unit_;
+  double scale_, unit_, rowHeight_;
 };
 
 QString timeText(std::chrono::system_clock::time_point time, bool utc) {
@@ -320,8 +321,13 @@ TextRuns verdictReason(const RailSummary& summary) {
     addNames(runs, out);
     runs.emplace_back(QStringLiteral(" out of tolerance"));
     const auto& exceptions = summary.dimensions[index(out.front())].exceptions;
-    if (out.size() == 1 && !exceptions.empty())
-      runs.emplace_back(QStringLiteral(" from %1 m on").arg(numberText(exceptions.front().fromM, 2)));
+    if (out.size() == 1 && exceptions.size() == 1)
+      runs.emplace_back(QStringLiteral(" from %1 to %2 m")
+                            .arg(numberText(exceptions.front().fromM, 2), numberText(exceptions.front().toM, 2)));
+    else if (out.size() == 1 && !exceptions.empty())
+      runs.emplace_back(QStringLiteral(" in %1 stretches, the first at %2 m")
+                            .arg(exceptions.size())
+                            .arg(numberText(exceptions.front().fromM, 2)));
   }
   if (!missing.empty()) {
     next();

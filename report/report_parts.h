@@ -34,7 +34,7 @@ void paintVerdict(QPainter& painter, const QRectF& area, const RailReport& repor
 /// The word SIMULATION in a frame, its right end at `right`. Returns its width.
 double paintSimulationMark(QPainter& painter, const QPointF& rightMiddle, const Palette& palette);
 
-/// Thirteen rows under a head; returns the height it needs at this scale.
+/// Least height of the table of dimensions, thirteen rows under a head; its rows share what it is given.
 [[nodiscard]] double dimensionTableHeight(double scale);
 void paintDimensionTable(QPainter& painter, const QRectF& area, const RailSummary& summary, const Palette& palette);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "report/dimension_text.h"
+#include "report/hatch.h"
 #include "report/state_symbol.h"
 #include "report/typeface.h"
 
@@ -128,8 +129,7 @@ class ChartPainter {
     rule(s_.nominalMm, expected, numberText(s_.nominalMm, decimals_));
     // Limits nearer to the nominal than a line of text would print over it.
     const auto deviation = [&](double mm) {
-      return std::abs(y(mm) - y(s_.nominalMm)) < kSmallPx * scale_ ? QString()
-                                                                   : deviationText(mm - s_.nominalMm, decimals_);
+      return std::abs(y(mm) - y(s_.nominalMm)) < kSmallPx * scale_ ? QString() : limitText(mm - s_.nominalMm);
     };
     if (s_.upperMm) rule(*s_.upperMm, limit, deviation(*s_.upperMm));
     if (s_.lowerMm) rule(*s_.lowerMm, limit, deviation(*s_.lowerMm));
@@ -140,15 +140,15 @@ class ChartPainter {
   }
 
   void paintNotMeasured() {
-    painter_.setPen(Qt::NoPen);
-    painter_.setBrush(QBrush(palette_.invalid, Qt::BDiagPattern));
     for (std::size_t i = 0; i < s_.track.size();) {
       std::size_t end = i;
       while (end < s_.track.size() && s_.track[end].count == 0) ++end;
       if (end > i) {
         const double half = 0.5 * binWidth();
-        painter_.drawRect(QRectF(QPointF(x(s_.track[i].positionM - half), plot_.top()),
-                                 QPointF(x(s_.track[end - 1].positionM + half), plot_.bottom())));
+        paintHatch(painter_,
+                   QRectF(QPointF(x(s_.track[i].positionM - half), plot_.top()),
+                          QPointF(x(s_.track[end - 1].positionM + half), plot_.bottom())),
+                   palette_.invalid, 8 * scale_, 1.5 * scale_);
       }
       i = std::max(end, i + 1);
     }
