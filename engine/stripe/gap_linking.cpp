@@ -14,18 +14,18 @@ struct Direction {
   float dx = 1, dy = 0;
 };
 
-/// Orthogonal regression through points[order[i]].
-Direction regression(const std::vector<RidgePoint>& points, std::span<const std::uint32_t> order) {
+/// Orthogonal regression.
+Direction regression(std::span<const RidgePoint> points) {
   double mx = 0, my = 0;
-  for (const std::uint32_t i : order) {
-    mx += points[i].x;
-    my += points[i].y;
+  for (const RidgePoint& p : points) {
+    mx += p.x;
+    my += p.y;
   }
-  mx /= static_cast<double>(order.size());
-  my /= static_cast<double>(order.size());
+  mx /= static_cast<double>(points.size());
+  my /= static_cast<double>(points.size());
   double sxx = 0, sxy = 0, syy = 0;
-  for (const std::uint32_t i : order) {
-    const double x = points[i].x - mx, y = points[i].y - my;
+  for (const RidgePoint& p : points) {
+    const double x = p.x - mx, y = p.y - my;
     sxx += x * x;
     sxy += x * y;
     syy += y * y;
@@ -36,24 +36,23 @@ Direction regression(const std::vector<RidgePoint>& points, std::span<const std:
 
 }  // namespace
 
-void GapLinker::link(const std::vector<RidgePoint>& points, const LineLinker& lines, const GapSettings& settings) {
+void GapLinker::link(std::span<const RidgePoint> points, std::span<const LinePiece> pieces,
+                     const GapSettings& settings) {
   ends_.clear();
-  for (const LinePiece& piece : lines.pieces()) {
-    const auto order = std::span(lines.order()).subspan(piece.first, piece.count);
-    const auto skip = std::min<std::size_t>(static_cast<std::size_t>(1.5 * settings.sigma), order.size() / 4);
-    const auto used = std::min<std::size_t>(static_cast<std::size_t>(5 * settings.sigma) + 3, order.size() - skip);
+  for (const LinePiece& piece : pieces) {
+    const auto line = points.subspan(piece.first, piece.count);
+    const auto used = std::min<std::size_t>(static_cast<std::size_t>(5 * settings.sigma) + 3, line.size());
     for (const bool atStop : {false, true}) {
-      const auto part = order.subspan(atStop ? order.size() - skip - used : skip, used);
-      Direction d = regression(points, part);
-      const RidgePoint& end = points[atStop ? order.back() : order.front()];
-      const RidgePoint& inner = points[atStop ? part.front() : part.back()];
+      const auto part = atStop ? line.last(used) : line.first(used);
+      const RidgePoint &end = atStop ? part.back() : part.front(), &inner = atStop ? part.front() : part.back();
+      Direction d = regression(part);
       if ((end.x - inner.x) * d.dx + (end.y - inner.y) * d.dy < 0) d = {-d.dx, -d.dy};
       ends_.push_back({end.x, end.y, d.dx, d.dy});
     }
   }
   findBridges(settings);
   chooseBridges();
-  followChains(lines.pieces().size());
+  followChains(pieces.size());
 }
 
 void GapLinker::findBridges(const GapSettings& settings) {

@@ -2,6 +2,7 @@
 // Pieces of one line that gaps have parted, found by the regression lines of their ends (paper section II-D, step 4).
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/stripe/line_linking.h"
@@ -11,7 +12,7 @@ namespace vignole {
 struct GapSettings {
   double distance = 60;  ///< d: largest distance of the two ends, px
   double angleDeg = 15;  ///< alpha: largest angle between the regression lines, and of each with the way across
-  double sigma = 3;      ///< of the filter, px: an end's last 1.5 sigma say little about its direction
+  double sigma = 3;      ///< of the filter, px: the regression lines are taken over 5 sigma
 };
 
 /// One piece on its way along a line.
@@ -28,7 +29,7 @@ struct LineChain {
 /// The cheapest links first (short and straight); every end is used once. Buffers live from frame to frame.
 class GapLinker {
  public:
-  void link(const std::vector<RidgePoint>& points, const LineLinker& lines, const GapSettings& settings);
+  void link(std::span<const RidgePoint> points, std::span<const LinePiece> pieces, const GapSettings& settings);
   [[nodiscard]] const std::vector<LineChain>& chains() const { return chains_; }
   [[nodiscard]] const std::vector<ChainLink>& links() const { return links_; }
 

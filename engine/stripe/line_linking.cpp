@@ -105,7 +105,7 @@ void LineLinker::link(const RidgePoints& ridges, const LinkingSettings& settings
   const std::vector<RidgePoint>& points = ridges.points();
   used_.assign(points.size(), 0);
   collectSeeds(points, settings.highRidge);
-  order_.clear();
+  points_.clear();
   pieces_.clear();
   for (const std::uint32_t seed : seeds_) {
     if (used_[seed] != 0) continue;
@@ -115,10 +115,10 @@ void LineLinker::link(const RidgePoints& ridges, const LinkingSettings& settings
     walk(ridges, seed, -tx, -ty, backward_);
     const std::size_t count = forward_.size() + backward_.size() + 1;
     if (count < static_cast<std::size_t>(settings.minLength)) continue;
-    pieces_.push_back({static_cast<std::uint32_t>(order_.size()), static_cast<std::uint32_t>(count)});
-    order_.insert(order_.end(), backward_.rbegin(), backward_.rend());
-    order_.push_back(seed);
-    order_.insert(order_.end(), forward_.begin(), forward_.end());
+    pieces_.push_back({static_cast<std::uint32_t>(points_.size()), static_cast<std::uint32_t>(count)});
+    for (auto i = backward_.rbegin(); i != backward_.rend(); ++i) points_.push_back(points[*i]);
+    points_.push_back(points[seed]);
+    for (const std::uint32_t i : forward_) points_.push_back(points[i]);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace vignole {
 
-/// Points `first` .. `first + count` of LineLinker::order().
+/// Points `first` .. `first + count`, in order along the line, of the list that belongs to it.
 struct LinePiece {
   std::uint32_t first = 0, count = 0;
 };
@@ -25,8 +25,8 @@ class LineLinker {
  public:
   void link(const RidgePoints& ridges, const LinkingSettings& settings);
   [[nodiscard]] const std::vector<LinePiece>& pieces() const { return pieces_; }
-  /// Indices of ridge points.
-  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+  /// Of all pieces, one after the other.
+  [[nodiscard]] const std::vector<RidgePoint>& points() const { return points_; }
 
  private:
   void collectSeeds(const std::vector<RidgePoint>& points, float highRidge);
@@ -35,7 +35,8 @@ class LineLinker {
   int successorBeyond(const RidgePoints& ridges, const RidgePoint& p, float tx, float ty) const;
 
   std::vector<std::uint8_t> used_;
-  std::vector<std::uint32_t> seeds_, order_, forward_, backward_;
+  std::vector<std::uint32_t> seeds_, forward_, backward_;
+  std::vector<RidgePoint> points_;
   std::vector<std::uint8_t> seedLevel_;
   std::vector<LinePiece> pieces_;
 };

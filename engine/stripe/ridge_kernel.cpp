@@ -111,13 +111,19 @@ HWY_INLINE std::size_t testPixels(const float* s, std::size_t width, int column,
   return count;
 }
 
-std::size_t findPoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int column, int row,
-                       const RidgeFilter& filter, RidgeBand& band) {
+void smooth(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter, RidgeBand& band) {
   const int length = 2 * filter.radius + 1;
   const std::size_t lanes = hn::Lanes(kFloats);
   const auto inner = static_cast<std::size_t>(width), outer = static_cast<std::size_t>(width + length + 1);
   for (std::size_t i = 0; i < outer; i += lanes) smoothColumns(pixels, stride, filter.taps.data(), length, i, band);
   for (std::size_t i = 0; i < inner + 2; i += lanes) smoothRows(filter.taps.data(), length, i, band);
+}
+
+std::size_t findPoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int column, int row,
+                       const RidgeFilter& filter, RidgeBand& band) {
+  smooth(pixels, stride, width, filter, band);
+  const std::size_t lanes = hn::Lanes(kFloats);
+  const auto inner = static_cast<std::size_t>(width);
   std::size_t count = 0;
   for (int y = 0; y < kBandHeight; ++y)
     for (std::size_t i = 0; i < inner; i += lanes)
@@ -136,6 +142,7 @@ HWY_AFTER_NAMESPACE();
 namespace vignole {
 
 HWY_EXPORT(findPoints);
+HWY_EXPORT(smooth);
 HWY_EXPORT(targetName);
 
 RidgeFilter ridgeFilter(double sigma, double leastRidge) {
@@ -160,6 +167,11 @@ RidgeFilter ridgeFilter(double sigma, double leastRidge) {
 std::span<const RidgePoint> findRidgePoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int column,
                                             int row, const RidgeFilter& filter, RidgeBand& band) {
   return {band.points.data(), HWY_DYNAMIC_DISPATCH(findPoints)(pixels, stride, width, column, row, filter, band)};
+}
+
+void smoothBand(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter,
+                RidgeBand& band) {
+  HWY_DYNAMIC_DISPATCH(smooth)(pixels, stride, width, filter, band);
 }
 
 const char* simdTargetName() { return HWY_DYNAMIC_DISPATCH(targetName)(); }

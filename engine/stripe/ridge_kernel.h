@@ -45,6 +45,11 @@ struct RidgeBand {
                                                           int column, int row, const RidgeFilter& filter,
                                                           RidgeBand& band);
 
+/// The smoothing alone: afterwards band.smoothed[1 + y][1 + x] belongs to pixel (column + x, row + y), one more to all
+/// sides. Same `pixels` as above.
+void smoothBand(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter,
+                RidgeBand& band);
+
 /// Name of the SIMD target in use; results are bit-equal on the same target.
 [[nodiscard]] const char* simdTargetName();
 

@@ -3,9 +3,6 @@
 #include <algorithm>
 
 namespace vignole {
-namespace {
-constexpr int kReadAhead = 64;  // the kernel reads whole vectors
-}
 
 RidgePoints::RidgePoints() : band_(std::make_unique<RidgeBand>()) {}
 
@@ -16,22 +13,8 @@ int RidgePoints::indexAt(int column, int row) const {
   return static_cast<int>(tiles_[tileOfBlock_[block]][pixel]) - 1;
 }
 
-const std::uint8_t* RidgePoints::padded(const ImageView& image, int column, int row, int width, int height) {
-  padding_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::uint8_t* out = padding_.data();
-  for (int y = row; y < row + height; ++y) {
-    const std::uint8_t* in = image.row(std::clamp(y, 0, image.height - 1));
-    for (int x = column; x < column + width; ++x) *out++ = in[std::clamp(x, 0, image.width - 1)];
-  }
-  return padding_.data();
-}
-
 void RidgePoints::findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width) {
-  const int left = column - filter.radius - 1, top = row - filter.radius - 1;
-  const int across = width + 2 * filter.radius + 2 + kReadAhead, down = kBandHeight + 2 * filter.radius + 2;
-  const bool inside = left >= 0 && top >= 0 && left + across <= image.width && top + down <= image.height;
-  const std::uint8_t* pixels = inside ? image.row(top) + left : padded(image, left, top, across, down);
-  const std::ptrdiff_t stride = inside ? image.stride : across;
+  const auto [pixels, stride] = window_.at(image, filter, column, row, width);
   for (const RidgePoint& p : findRidgePoints(pixels, stride, width, column, row, filter, *band_)) {
     if (p.column >= image.width || p.row >= image.height) continue;  // of a block that the edge cuts
     points_.push_back(p);

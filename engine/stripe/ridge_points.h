@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/geometry/image_view.h"
+#include "engine/stripe/band_window.h"
 #include "engine/stripe/block_scan.h"
 #include "engine/stripe/ridge_kernel.h"
 
@@ -27,11 +28,10 @@ class RidgePoints {
   static constexpr std::size_t kTilePixels = static_cast<std::size_t>(kBlock) * kBlock;
   using Tile = std::array<std::uint32_t, kTilePixels>;  // index + 1, 0 is no point
   void findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width);
-  const std::uint8_t* padded(const ImageView& image, int column, int row, int width, int height);
 
   int width_ = 0, height_ = 0, columns_ = 0;
   std::unique_ptr<RidgeBand> band_;
-  std::vector<std::uint8_t> padding_;
+  BandWindow window_;
   std::vector<RidgePoint> points_;
   std::vector<std::uint16_t> tileOfBlock_;  // 0 is the tile without points
   std::vector<Tile> tiles_;

@@ -9,6 +9,7 @@
 #include "engine/stripe/block_scan.h"
 #include "engine/stripe/competing_lines.h"
 #include "engine/stripe/gap_linking.h"
+#include "engine/stripe/line_ends.h"
 #include "engine/stripe/line_linking.h"
 #include "engine/stripe/ridge_points.h"
 #include "engine/stripe/uncertainty.h"
@@ -71,6 +72,7 @@ struct StripeExtractor::Impl {
   BlockScan scan;
   RidgePoints ridges;
   LineLinker linker;
+  LineEnds lineEnds;
   GapLinker gapLinker;
   SpeckleMeter speckleMeter;
   std::vector<ChainPoint> points;
@@ -125,11 +127,11 @@ void StripeExtractor::Impl::buildLine(const ImageView& image, const LineChain& c
   gapStarts.clear();
   for (std::uint32_t l = chain.first; l < chain.first + chain.count; ++l) {
     const ChainLink link = gapLinker.links()[l];
-    const LinePiece piece = linker.pieces()[link.piece];
+    const LinePiece piece = lineEnds.pieces()[link.piece];
     const std::size_t begin = points.size();
     for (std::uint32_t i = 0; i < piece.count; ++i) {
       const std::uint32_t at = piece.first + (link.reversed ? piece.count - 1 - i : i);
-      addPoint(image, ridges.points()[linker.order()[at]]);
+      addPoint(image, lineEnds.points()[at]);
     }
     if (l > chain.first) gapStarts.push_back(begin);
   }
@@ -241,7 +243,8 @@ void StripeExtractor::Impl::extract(const ImageView& image, StripeResult& result
   setThresholds();
   ridges.find(image, scan, filter);
   linker.link(ridges, linking);
-  gapLinker.link(ridges.points(), linker, gaps);
+  lineEnds.retrace(image, filter, linker);
+  gapLinker.link(lineEnds.points(), lineEnds.pieces(), gaps);
   for (const LineChain& chain : gapLinker.chains()) buildLine(image, chain);
   rankLines();
   estimateUncertainty();
