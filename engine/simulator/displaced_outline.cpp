@@ -132,6 +132,22 @@ double OutlineShaper::edgeX(const Side& side) const {
   return (startPoint(edge).x() + endPoint(edge).x()) / 2;
 }
 
+CrownLatitude OutlineShaper::latitude() const {
+  const Primitive& top = section_.primitives[top_].shape;
+  const double radius = std::get<Arc>(top).radiusMm;
+  const double half = length(top) / 2;
+  CrownLatitude latitude{1, 2 * 0.0035 * radius * radius / (half * half)};
+  for (const Side* side : {&right_, &left_}) {
+    if (side->crown.size() < 2) return {0, 0};
+    const Point2 join = side->sign > 0 ? startPoint(top) : endPoint(top);
+    const double p = side->sign > 0 ? parameters_.hfHalfWidthMm.right : parameters_.hfHalfWidthMm.left;
+    const double reach = p - side->sign * (join.x() - axisX_);
+    const double share = reach / length(section_.primitives[side->crown.front()].shape);
+    latitude.hfShare = std::min(latitude.hfShare, share > 0 ? share * share : 0);
+  }
+  return latitude;
+}
+
 Expected<OutlineShaper::Side> OutlineShaper::findSide(char letter) const {
   Side side;
   side.sign = letter == 'R' ? 1 : -1;

@@ -36,6 +36,12 @@ struct OutlinePiece {
   [[nodiscard]] Point2 at(double share) const;  ///< share 0..1 of the piece
 };
 
+/// How far a crown can be varied without losing its shape: small radii beside a wide AHT leave little room.
+struct CrownLatitude {
+  double hfShare = 1;  ///< of the HF that a crown of wide shoulders takes
+  double hrMm = 0;     ///< change of the radius that moves the ends of AHT by 3.5 um
+};
+
 /// Knows the section's parts; makes displaced outlines. Immutable.
 class OutlineShaper {
  public:
@@ -52,6 +58,7 @@ class OutlineShaper {
 
   [[nodiscard]] const Section& section() const { return section_; }
   [[nodiscard]] bool canSteerCrown() const { return right_.crown.size() > 1 && left_.crown.size() > 1; }
+  [[nodiscard]] CrownLatitude latitude() const;
 
  private:
   struct Side {
@@ -61,7 +68,6 @@ class OutlineShaper {
     std::vector<std::size_t> web;      ///< moves with WT
     std::vector<std::size_t> crown;    ///< from the neighbour of AHT to the neighbour of the head side
   };
-  struct Crown;
 
   [[nodiscard]] Expected<void> findParts();
   [[nodiscard]] Expected<Side> findSide(char letter) const;

@@ -1,5 +1,6 @@
 #include "engine/simulator/frame_renderer.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -21,7 +22,7 @@ constexpr double kStepPx = 0.7;              // between samples of light; a ripp
 constexpr double kKernelReachMm = 2.5;       // a kernel serves this far along the outline
 constexpr double kShotPerDn = 60.0 / 10000;  // 10,000 electrons at 60 DN: variance in DN per DN of signal
 constexpr double kGhostSheetMm = 0.8, kGhostStepPx = 1.6;
-constexpr double kGhostSpread = 2;       // a ghost is so much broader, so its energy for the same peak is higher
+constexpr double kGhostSpread = 2;  // a ghost is so much broader, so its energy for the same peak is higher
 
 constexpr std::uint32_t kNormals = 1U << 18;
 constexpr std::uint32_t kBackgroundPixels = 1U << 20;

@@ -13,7 +13,8 @@ struct Amount {
   double mean, amplitude;
 };
 // mm; in the order of Dimension: RH RFH FW HF HW HWA FT_l FT_r RAS_l RAS_r WT HR FC. HF and FC of rolled rails lean to
-// the positive side; HWA and RAS follow from others.
+// the positive side; HWA and RAS follow from others;
+// HF and HR are scaled by what the crown can take (6 mm of HR on 60E1).
 constexpr PerDimension<Amount> kAmounts = {{{0.02, 0.14},
                                             {0.0, 0.14},
                                             {-0.05, 0.25},
@@ -25,7 +26,7 @@ constexpr PerDimension<Amount> kAmounts = {{{0.02, 0.14},
                                             {0, 0},
                                             {0, 0},
                                             {0.08, 0.18},
-                                            {0, 6},
+                                            {0, 0},
                                             {0.05, 0.06}}};
 constexpr Amount kHeadShift = {0.0, 0.2};
 constexpr std::array<double, 3> kShares = {0.5, 0.3, 0.2};
@@ -41,7 +42,7 @@ double ShapeLaw::Variation::at(double positionMm) const {
   return value;
 }
 
-Expected<ShapeLaw> ShapeLaw::create(std::uint64_t seed, bool vary,
+Expected<ShapeLaw> ShapeLaw::create(std::uint64_t seed, bool vary, const CrownLatitude& crown,
                                     const PerDimension<std::optional<double>>& deviationMm) {
   ShapeLaw law;
   const auto draw = [&](const Amount& amount, std::uint64_t which) {
@@ -57,7 +58,11 @@ Expected<ShapeLaw> ShapeLaw::create(std::uint64_t seed, bool vary,
     }
     return v;
   };
-  for (const Dimension d : kDimensions) law.variations_[index(d)] = draw(kAmounts[index(d)], index(d));
+  PerDimension<Amount> amounts = kAmounts;
+  amounts[index(Dimension::HF)].mean *= crown.hfShare;
+  amounts[index(Dimension::HF)].amplitude *= crown.hfShare;
+  amounts[index(Dimension::HR)].amplitude = crown.hrMm;
+  for (const Dimension d : kDimensions) law.variations_[index(d)] = draw(amounts[index(d)], index(d));
   law.headShift_ = draw(kHeadShift, kDimensionCount);
 
   law.fixed_ = deviationMm;

@@ -20,7 +20,7 @@ namespace vignole::simulator {
 class ShapeLaw {
  public:
   /// Refuses constant deviations that contradict each other (HW and HWA; FW, HW, RAS_l and RAS_r).
-  [[nodiscard]] static Expected<ShapeLaw> create(std::uint64_t seed, bool vary,
+  [[nodiscard]] static Expected<ShapeLaw> create(std::uint64_t seed, bool vary, const CrownLatitude& crown,
                                                  const PerDimension<std::optional<double>>& deviationMm);
   [[nodiscard]] OutlineDeviation at(double positionMm) const;
 

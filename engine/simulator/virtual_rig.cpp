@@ -170,12 +170,13 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
     if (settings.faults[i].kind != "wrong-rail") continue;
     const auto section = findSection(settings.faults[i].text);
     if (!section) return tl::unexpected<Error>(section.error());
-    auto other = RailModel::create(*section, settings.parameters);
+    auto other = RailModel::create(*section, section->parameters);
     if (!other) return tl::unexpected<Error>(other.error());
     modelOfFault[i] = models.size();
     models.push_back(*std::move(other));
   }
-  auto law = ShapeLaw::create(settings.seed, settings.varyDimensions, settings.deviationMm);
+  auto law =
+      ShapeLaw::create(settings.seed, settings.varyDimensions, models.front().shaper.latitude(), settings.deviationMm);
   if (!law) return tl::unexpected<Error>(law.error());
   const auto& hf = settings.deviationMm[index(Dimension::HF)];
   if (hf && *hf != 0 && !models.front().shaper.canSteerCrown())
