@@ -66,14 +66,26 @@ class Registrar {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How well a profile fits one rail: mean over all points of min(distance, 1 mm)^2 / sigma^2 at the best pose, so that
-/// points which a wrong rail leaves far away count against it. 1 on the right rail without outliers.
+/// How well a registered profile fits: mean over all points of min(distance, 1 mm)^2 / sigma^2, so that points which a
+/// wrong rail leaves far away count against it. 1 on the right rail without outliers.
+[[nodiscard]] double chi2OfAllPoints(std::span<const ProfilePoint> points, const Registration& registration);
+
 struct RailMatch {
   std::string rail;
-  double chi2 = 0;
+  double chi2 = 0;  ///< chi2OfAllPoints at the best pose
 };
 /// Best first. Points as for registerProfile.
 [[nodiscard]] std::vector<RailMatch> bestMatch(std::span<const ProfilePoint> points, std::span<const Section> sections,
                                                const RegistrationSettings& settings = {});
+
+/// Which way the axes of a record run.
+struct AxisFlip {
+  bool x = false, y = false;
+};
+/// Records by others have y down, or look against the rail's motion: tries what a section without symmetry can tell
+/// apart (a symmetric one only y), turns the points accordingly and registers them. As given wins unless another way
+/// fits clearly better.
+AxisFlip registerEitherWay(std::vector<ProfilePoint>& points, const Section& section, Registrar& registrar,
+                           Registration& result);
 
 }  // namespace vignole
