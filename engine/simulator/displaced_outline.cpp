@@ -138,7 +138,8 @@ CrownLatitude OutlineShaper::latitude() const {
   const double half = length(top) / 2;
   CrownLatitude latitude{1, 2 * 0.0035 * radius * radius / (half * half)};
   for (const Side* side : {&right_, &left_}) {
-    if (side->crown.size() < 2) return {0, 0};
+    if (side->crown.size() != 2) latitude.hfShare = 0;
+    if (side->crown.empty()) continue;
     const Point2 join = side->sign > 0 ? startPoint(top) : endPoint(top);
     const double p = side->sign > 0 ? parameters_.hfHalfWidthMm.right : parameters_.hfHalfWidthMm.left;
     const double reach = p - side->sign * (join.x() - axisX_);
@@ -226,8 +227,8 @@ Expected<std::vector<OutlinePiece>> OutlineShaper::displaced(const OutlineDeviat
   pieces[top_].base = top;
   placed[top_] = 1;
   for (const Side* side : {&right_, &left_}) {
-    if (auto bent = bendCrown(*side, deviation, pieces); !bent) return tl::unexpected<Error>(bent.error());
-    for (const std::size_t i : side->crown) placed[i] = 1;
+    if (auto joined = joinHead(*side, deviation, pieces); !joined) return tl::unexpected<Error>(joined.error());
+    for (std::size_t k = carriesShoulder(*side) ? 1 : 0; k < side->crown.size(); ++k) placed[side->crown[k]] = 1;
   }
   carryTheRest(pieces, placed);
   return pieces;
@@ -254,7 +255,53 @@ void OutlineShaper::moveSide(const Side& side, const OutlineDeviation& deviation
   }
   move(side.upperFishing, {0, mm[index(Dimension::RFH)] + lowerRise});
   for (const std::size_t i : side.web) move(i, {side.sign * mm[index(Dimension::WT)] / 2, 0});
-  move(side.headSide, {side.sign * mm[index(Dimension::HW)] / 2 + deviation.headShiftMm, mm[index(Dimension::RH)]});
+  placed[side.headSide] = 1;  // by joinHead
+}
+
+double OutlineShaper::summitY() const {
+  const Arc& top = std::get<Arc>(section_.primitives[top_].shape);
+  const double off = axisX_ - top.centre.x();
+  return top.centre.y() + std::sqrt(top.radiusMm * top.radiusMm - off * off);
+}
+
+/// x of the head's side at the depth where its width is measured: on the straight side or on an arc above it.
+std::optional<double> OutlineShaper::headX(const Side& side, const std::vector<OutlinePiece>& pieces, double y) const {
+  if (const auto x = xAt(pieces[side.headSide].base, y)) return x;
+  for (const std::size_t i : side.crown) {
+    const auto hits = intersectLine(pieces[i].base, {0, y}, {1, 0});
+    if (!hits.empty()) return side.sign > 0 ? hits.back().x() : hits.front().x();
+  }
+  return {};
+}
+
+/// The head side where its width asks for it: where that is taken on an arc, the arc depends on the side and the side
+/// has to be found.
+Expected<void> OutlineShaper::joinHead(const Side& side, const OutlineDeviation& deviation,
+                                       std::vector<OutlinePiece>& pieces) const {
+  const auto& mm = deviation.mm;
+  std::vector<OutlinePiece> nominal(section_.primitives.size());
+  for (std::size_t i = 0; i < nominal.size(); ++i) nominal[i].base = section_.primitives[i].shape;
+  const double depthY = summitY() - (deviation.headAtArema ? parameters_.hwaDepthMm : parameters_.hwDepthMm);
+  const auto nominalX = headX(side, nominal, depthY);
+  const double wanted = side.sign * mm[index(Dimension::HW)] / 2 + deviation.headShiftMm;
+  if (carriesShoulder(side)) {
+    const Point2 by(wanted, mm[index(Dimension::RH)]);
+    pieces[side.headSide].base = shifted(section_.primitives[side.headSide].shape, by);
+    for (std::size_t k = 1; k < side.crown.size(); ++k)
+      pieces[side.crown[k]].base = shifted(section_.primitives[side.crown[k]].shape, by);
+    return {};
+  }
+  double shift = wanted;
+  for (int round = 0; round < 20; ++round) {
+    pieces[side.headSide].base = shifted(section_.primitives[side.headSide].shape, {shift, mm[index(Dimension::RH)]});
+    if (auto bent = bendCrown(side, deviation, pieces); !bent) return bent;
+    const auto x = headX(side, pieces, depthY + mm[index(Dimension::RH)]);
+    if (!x || !nominalX) return {};  // the depth is off the head: nothing to hold
+    const double miss = *nominalX + wanted - *x;
+    if (std::abs(miss) < 1e-7) break;
+    shift += miss;
+  }
+  return {};
 }
 
 /// Changes the curvature beside AHT so that the crown has the wanted deviation where HF ends; then re-joins the rest.
@@ -272,7 +319,7 @@ Expected<void> OutlineShaper::bendCrown(const Side& side, const OutlineDeviation
   std::vector<OutlinePiece> nominal(section_.primitives.size());
   for (const std::size_t i : crown) nominal[i].base = section_.primitives[i].shape;
   const auto nominalY = crownY(nominal, crown, x);
-  if (side.crown.size() < 2 || !nominalY || (mm[index(Dimension::HF)] == 0 && mm[index(Dimension::HR)] == 0)) {
+  if (side.crown.size() < 2 || !nominalY) {
     if (!buildCrown(side, 0, pieces)) return failed();
     return {};
   }
@@ -284,7 +331,7 @@ Expected<void> OutlineShaper::bendCrown(const Side& side, const OutlineDeviation
     return *y - target;
   };
   // Secant; the height falls almost linearly with the curvature.
-  double a = 0, b = 1e-4;
+  double a = 1e-4, b = 0;
   auto fa = miss(a), fb = miss(b);
   for (int step = 0; step < 30 && fa && fb && std::abs(*fb) > 1e-9 && *fb != *fa; ++step) {
     const double c = b - *fb * (b - a) / (*fb - *fa);
@@ -363,10 +410,14 @@ void OutlineShaper::carryTheRest(std::vector<OutlinePiece>& pieces, std::vector<
   const auto displacementAtStart = [&](std::size_t i) {
     return Point2(pieces[i].at(0) - startPoint(section_.primitives[i].shape));
   };
-  // Derivative of the displacement by arc length, at the border of a placed piece: only the foot bottom has one.
+  // Derivative of the displacement by arc length, at the border of a placed piece.
   const auto slope = [&](std::size_t i, bool end) -> Point2 {
-    if (!pieces[i].carried) return {0, 0};
-    return (end ? pieces[i].m1 : pieces[i].m0) / length(section_.primitives[i].shape);
+    const Primitive& nominal = section_.primitives[i].shape;
+    if (!pieces[i].carried) {  // turned, if it is an arc of another radius
+      const double s = end ? 1 : 0;
+      return tangentAt(pieces[i].base, s * length(pieces[i].base)) - tangentAt(nominal, s * length(nominal));
+    }
+    return (end ? pieces[i].m1 : pieces[i].m0) / length(nominal);
   };
   for (std::size_t i = 0; i < n; ++i) {
     if (!placed[i] || placed[(i + 1) % n]) continue;

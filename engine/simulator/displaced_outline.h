@@ -3,6 +3,7 @@
 // and arcs (moved, re-bent or re-joined tangentially); the fillets between them are carried along by a displacement
 // that is once continuously differentiable along the outline.
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,8 @@ struct OutlineVertex {
 /// What is asked for. HWA is not among what can be steered: it follows HW.
 struct OutlineDeviation {
   PerDimension<double> mm{};
-  double headShiftMm = 0;  ///< of both head sides to the right: RAS_l + this, RAS_r - this
+  bool headAtArema = false;  ///< HW is held at the AREMA depth, i.e. it is HWA that was asked for
+  double headShiftMm = 0;    ///< of both head sides to the right: RAS_l + this, RAS_r - this
 };
 
 /// One primitive of the displaced outline.
@@ -57,7 +59,9 @@ class OutlineShaper {
               std::vector<OutlineVertex>& vertices) const;
 
   [[nodiscard]] const Section& section() const { return section_; }
-  [[nodiscard]] bool canSteerCrown() const { return right_.crown.size() > 1 && left_.crown.size() > 1; }
+  /// HF can be chosen where the crown has one shoulder arc between AHT and the corner arc of each side. With more of
+  /// them the outer arcs stay with the head side and the innermost is carried between it and AHT.
+  [[nodiscard]] bool canSteerCrown() const { return right_.crown.size() == 2 && left_.crown.size() == 2; }
   [[nodiscard]] CrownLatitude latitude() const;
 
  private:
@@ -75,6 +79,11 @@ class OutlineShaper {
   [[nodiscard]] double edgeX(const Side& side) const;
   void moveSide(const Side& side, const OutlineDeviation& deviation, double bottomMm, std::vector<OutlinePiece>& pieces,
                 std::vector<char>& placed) const;
+  [[nodiscard]] static bool carriesShoulder(const Side& side) { return side.crown.size() > 2; }
+  [[nodiscard]] double summitY() const;
+  [[nodiscard]] std::optional<double> headX(const Side& side, const std::vector<OutlinePiece>& pieces, double y) const;
+  [[nodiscard]] Expected<void> joinHead(const Side& side, const OutlineDeviation& deviation,
+                                        std::vector<OutlinePiece>& pieces) const;
   [[nodiscard]] Expected<void> bendCrown(const Side& side, const OutlineDeviation& deviation,
                                          std::vector<OutlinePiece>& pieces) const;
   [[nodiscard]] bool buildCrown(const Side& side, double extraCurvature, std::vector<OutlinePiece>& pieces) const;

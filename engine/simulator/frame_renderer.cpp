@@ -25,7 +25,8 @@ constexpr double kGhostSheetMm = 0.8, kGhostStepPx = 1.6;
 constexpr double kGhostSpread = 2;  // a ghost is so much broader, so its energy for the same peak is higher
 
 constexpr std::uint32_t kNormals = 1U << 18;
-constexpr std::uint32_t kBackgroundPixels = 1U << 20;
+constexpr std::uint32_t kBackgroundPixels = kNormals;
+constexpr double kGrazingCosine = 0.17364817766693033;  // 80 degrees from the normal: too little light for a line
 
 constexpr double kernelReach(double sigma) { return 4 * sigma; }
 
@@ -109,8 +110,9 @@ FrameRenderer::FrameRenderer(std::uint64_t seed, const RigGeometry& rig, const E
   for (float& n : normals_) n = static_cast<float>(draws.normal());
   const double sd =
       std::sqrt(effects.readNoiseDn * effects.readNoiseDn + effects.shotNoise * kShotPerDn * effects.ambientDn);
-  for (std::uint8_t& pixel : background_)
-    pixel = static_cast<std::uint8_t>(std::clamp(std::nearbyint(effects.ambientDn + sd * draws.normal()), 0.0, 255.0));
+  for (std::size_t i = 0; i < background_.size(); ++i)
+    background_[i] = static_cast<std::uint8_t>(
+        std::clamp(std::nearbyint(effects.ambientDn + sd * normals_[i % kNormals]), 0.0, 255.0));
 }
 
 FrameRenderer::~FrameRenderer() = default;
@@ -325,32 +327,42 @@ std::vector<std::vector<Point2>> FrameRenderer::visibleLines(const Scene& scene,
   const auto inside = [&](const Point2& p) {
     return p.x() >= 0 && p.y() >= 0 && p.x() <= in.widthPx - 1 && p.y() <= in.heightPx - 1;
   };
+  // An edge draws a line where it is met by the camera and by a laser less than 80 degrees from its normal.
+  const auto draws = [&](const Strip& strip, std::size_t e) {
+    const Point2 &a = scene.world[e], &b = scene.world[(e + 1) % n];
+    const Point2 normal = Point2(b.y() - a.y(), a.x() - b.x()).normalized();
+    const Point3 toCamera = (view.centre - Point3(a.x(), a.y(), 0)).normalized();
+    if (normal.dot(toCamera.head<2>()) < kGrazingCosine) return false;
+    for (std::size_t k = 0; k < kCameraCount; ++k)
+      if (strip.lit[k] && normal.dot((rig_.lasers[k].positionMm - a).normalized()) >= kGrazingCosine) return true;
+    return false;
+  };
   double end = -1;
-  for (const Strip& strip : s.strips) {
-    if (lines.empty() || strip.from != end) lines.emplace_back();
-    end = strip.to;
-    std::vector<double> stops{strip.from};
-    for (double stop = std::floor(strip.from) + 1; stop < strip.to; ++stop) stops.push_back(stop);
-    stops.push_back(strip.to);
-    Point2 before(-1e9, -1e9);
-    for (const double stop : stops) {
-      const std::size_t e = std::min(static_cast<std::size_t>(stop), n - 1);
-      const double t = stop - static_cast<double>(e);
-      const Point2 pixel = view.pixel(scene.world[e] + t * (scene.world[(e + 1) % n] - scene.world[e]));
-      const int count = before.x() < -1e8 ? 1 : std::max(1, static_cast<int>(std::ceil((pixel - before).norm())));
-      for (int i = 1; i <= count; ++i) {
-        const Point2 at = count == 1 ? pixel : Point2(before + (pixel - before) * i / count);
-        if (inside(at)) {
-          if (lines.back().empty() || (lines.back().back() - at).norm() > 1e-9) lines.back().push_back(at);
-        } else if (!lines.back().empty()) {
+  for (const Strip& strip : s.strips)
+    for (auto e = static_cast<std::size_t>(strip.from); static_cast<double>(e) < strip.to; ++e) {
+      if (!draws(strip, e)) continue;
+      const double from = std::max(strip.from, static_cast<double>(e));
+      const double to = std::min(strip.to, static_cast<double>(e + 1));
+      const auto at = [&](double stop) {
+        const double t = stop - static_cast<double>(e);
+        return view.pixel(scene.world[e] + t * (scene.world[(e + 1) % n] - scene.world[e]));
+      };
+      const Point2 p0 = at(from), p1 = at(to);
+      const bool first = lines.empty() || from != end;
+      if (first) lines.emplace_back();
+      end = to;
+      const int count = std::max(1, static_cast<int>(std::ceil((p1 - p0).norm())));
+      for (int i = first ? 0 : 1; i <= count; ++i) {
+        const Point2 p = p0 + (p1 - p0) * i / count;
+        if (inside(p))
+          lines.back().push_back(p);
+        else if (!lines.back().empty())
           lines.emplace_back();
-        }
       }
-      before = pixel;
     }
-  }
   // A line that runs through the outline's first vertex is one line.
-  if (lines.size() > 1 && s.strips.front().from == 0 && end == static_cast<double>(n)) {
+  if (lines.size() > 1 && !lines.front().empty() && !lines.back().empty() &&
+      (lines.front().front() - lines.back().back()).norm() < 1e-9) {
     lines.back().insert(lines.back().end(), lines.front().begin() + 1, lines.front().end());
     lines.front().clear();
   }

@@ -72,6 +72,7 @@ Expected<ShapeLaw> ShapeLaw::create(std::uint64_t seed, bool vary, const CrownLa
   const auto& hwa = law.fixed_[index(Dimension::HWA)];
   if (hw && hwa && std::abs(*hw - *hwa) > kContradictionMm)
     return inputError("deviation HWA", "contradicts that of HW: both are the width of the same head; give one of them");
+  law.headAtArema_ = hwa && !hw;
   if (hwa) hw = hwa;
   // FW = RAS_l + HW + RAS_r: three of them set the fourth.
   auto& fw = law.fixed_[index(Dimension::FW)];
@@ -97,6 +98,7 @@ OutlineDeviation ShapeLaw::at(double positionMm) const {
   if (l && r && !fixed_[index(Dimension::HW)]) mm[index(Dimension::HW)] = mm[index(Dimension::FW)] - *l - *r;
   const double half = (mm[index(Dimension::FW)] - mm[index(Dimension::HW)]) / 2;
   deviation.headShiftMm = r ? half - *r : l ? *l - half : headShift_.at(positionMm);
+  deviation.headAtArema = headAtArema_;
   return deviation;
 }
 

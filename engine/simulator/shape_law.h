@@ -35,6 +35,7 @@ class ShapeLaw {
   };
   PerDimension<Variation> variations_{};
   Variation headShift_;
+  bool headAtArema_ = false;
   PerDimension<std::optional<double>> fixed_{};
 };
 

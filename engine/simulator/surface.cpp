@@ -10,8 +10,8 @@ namespace vignole::simulator {
 
 namespace {
 
-constexpr int kAround = 256, kAlong = 1024;  // cells
-constexpr double kAroundMm = 3, kAlongMm = 4;
+constexpr int kAround = 128, kAlong = 1024;  // cells
+constexpr double kAroundMm = 6, kAlongMm = 8;
 constexpr float kBareReflectance = 0.85F;
 constexpr float kBorder = 0.04F;  // of rank: how soft a patch's border is
 constexpr float kGlossShare = 0.01F, kGlossGain = 3;
@@ -31,24 +31,24 @@ std::vector<double> gaussian(double sigma) {
 
 /// Periodic separable filter that leaves the variance of white noise at 1.
 void smooth(std::vector<float>& field, int width, int height, double sigmaX, double sigmaY) {
-  const auto pass = [&](double sigma, bool alongX) {
+  const auto pass = [&](double sigma, int count, std::ptrdiff_t step, int lines, std::ptrdiff_t lineStep) {
     const std::vector<double> kernel = gaussian(sigma);
     const int radius = static_cast<int>(kernel.size() / 2);
     const double norm = std::sqrt(std::inner_product(kernel.begin(), kernel.end(), kernel.begin(), 0.0));
-    std::vector<float> out(field.size());
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
+    std::vector<float> line(static_cast<std::size_t>(count + 2 * radius));
+    for (int l = 0; l < lines; ++l) {
+      float* first = field.data() + l * lineStep;
+      for (int i = 0; i < count + 2 * radius; ++i)
+        line[static_cast<std::size_t>(i)] = first[(i + count - radius) % count * step];
+      for (int i = 0; i < count; ++i) {
         double sum = 0;
-        for (int k = -radius; k <= radius; ++k) {
-          const int u = alongX ? (x + k + width) % width : x, v = alongX ? y : (y + k + height) % height;
-          sum += kernel[static_cast<std::size_t>(k + radius)] * field[static_cast<std::size_t>(v * width + u)];
-        }
-        out[static_cast<std::size_t>(y * width + x)] = static_cast<float>(sum / norm);
+        for (std::size_t k = 0; k < kernel.size(); ++k) sum += kernel[k] * line[static_cast<std::size_t>(i) + k];
+        first[i * step] = static_cast<float>(sum / norm);
       }
-    field.swap(out);
+    }
   };
-  pass(sigmaX, true);
-  pass(sigmaY, false);
+  pass(sigmaX, width, 1, height, width);
+  pass(sigmaY, height, width, width, 1);
 }
 
 float softStep(float from, float to, float x) {
@@ -60,7 +60,7 @@ float softStep(float from, float to, float x) {
 
 SkinTexture::SkinTexture(std::uint64_t seed)
     : ranks_(whiteNoise(Draws(seed, Stream::Scale), std::size_t{kAround} * kAlong)) {
-  smooth(ranks_, kAround, kAlong, 3, 4);  // patches of about 10-40 mm
+  smooth(ranks_, kAround, kAlong, 1.5, 2);  // patches of about 10-40 mm
   std::vector<std::uint32_t> order(ranks_.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return ranks_[a] < ranks_[b]; });
@@ -82,20 +82,17 @@ float SkinTexture::rank(double aroundMm, double alongMm) const {
   return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) + fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
 }
 
-Surface::Surface(std::uint64_t seed)
-    : patches_(hash(seed, Stream::Scale, {0})),
-      shades_(hash(seed, Stream::Scale, {1})),
-      gloss_(hash(seed, Stream::Gloss, {2})) {}
+Surface::Surface(std::uint64_t seed) : skin_(seed) {}
 
 float Surface::reflectance(double aroundMm, double alongMm, double scaleShare) const {
   if (scaleShare <= 0) return kBareReflectance;
   const auto threshold = static_cast<float>(1 - scaleShare);
   const float patch =
-      scaleShare >= 1 ? 1
-                      : softStep(threshold - kBorder / 2, threshold + kBorder / 2, patches_.rank(aroundMm, alongMm));
+      scaleShare >= 1 ? 1 : softStep(threshold - kBorder / 2, threshold + kBorder / 2, skin_.rank(aroundMm, alongMm));
   // Shades vary faster along the rail than the patches do.
-  const float shade = 0.3F + 0.4F * shades_.rank(aroundMm, 1.7 * alongMm);
-  const float bare = 1 + kGlossGain * softStep(1 - 2 * kGlossShare, 1, gloss_.rank(2.3 * aroundMm, 3.1 * alongMm));
+  const float shade = 0.3F + 0.4F * skin_.rank(aroundMm + 311, 1.7 * alongMm + 2777);
+  const float bare =
+      1 + kGlossGain * softStep(1 - 2 * kGlossShare, 1, skin_.rank(2 * aroundMm + 97, 3.1 * alongMm + 5501));
   return kBareReflectance * (patch * shade + (1 - patch) * bare);
 }
 

@@ -8,7 +8,7 @@
 namespace vignole::simulator {
 
 /// Smooth noise over the rail's skin as ranks: the share of the skin below a value is that value. Periodic: 768 mm
-/// around the outline, 4 m along the rail.
+/// around the outline, 8 m along the rail.
 class SkinTexture {
  public:
   explicit SkinTexture(std::uint64_t seed);
@@ -28,7 +28,7 @@ class Surface {
   [[nodiscard]] float reflectance(double aroundMm, double alongMm, double scaleShare) const;
 
  private:
-  SkinTexture patches_, shades_, gloss_;
+  SkinTexture skin_;  ///< patches, shades and gloss are read from it at places and scales that have nothing in common
 };
 
 inline constexpr int kSpeckleSize = 512;

@@ -180,8 +180,9 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
   if (!law) return tl::unexpected<Error>(law.error());
   const auto& hf = settings.deviationMm[index(Dimension::HF)];
   if (hf && *hf != 0 && !models.front().shaper.canSteerCrown())
-    return inputError("deviation HF", "cannot be made on a crown of one arc a side (section " + settings.section.name +
-                                          "); leave it out");
+    return inputError("deviation HF",
+                      "can be made only on a crown with one shoulder arc a side, not on this one (section " +
+                          settings.section.name + "); leave it out");
   // Whatever the rail will look like must be an outline: tried here, where it can still be refused.
   const double period = settings.varyDimensions ? 40000.0 : 0.0;
   for (double at = 0; at <= period; at += 500)
