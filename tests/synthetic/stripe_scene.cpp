@@ -237,7 +237,11 @@ StripeScene stripeScene(const std::string& name, std::uint64_t seed) {
       for (std::size_t i = first; i < last; ++i) scene.truth[i].visible = false;
   if (recipe.saturated)
     for (const auto& [first, last] : stretches(scene.truth.size(), 3, 60, 120, random))
-      for (std::size_t i = first; i < last; ++i) scene.truth[i].contrast = 380;
+      for (std::size_t i = first; i < last; ++i) {
+        // Brightness rises and falls over 20 px, as reflectance does.
+        const double ramp = std::min(1.0, static_cast<double>(std::min(i - first, last - i)) * kStepPx / 20);
+        scene.truth[i].contrast += ramp * (380 - scene.truth[i].contrast);
+      }
   measureEdges(scene.truth);
   Light light(static_cast<std::size_t>(kWidth) * kHeight, 0.0);
   addLine(light, scene.truth);
