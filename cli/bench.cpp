@@ -1,7 +1,140 @@
+// vignole-cli bench: times of the stages and the rate of the pipeline.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sched.h>
+#include <set>
+
+#include "cli/bench_material.h"
 #include "cli/commands.h"
+#include "cli/console.h"
+#include "engine/files/atomic_file.h"
 
 namespace vignole::cli {
 
-void addBench(CLI::App& /*app*/, int& /*exitCode*/) {}
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> what;
+  std::size_t frames = 224;
+  int threads = 0;
+  std::string json;
+  bool quiet = false;
+};
+
+/// All threads from here on share the first `cores` of the cores that this program may use.
+Expected<int> limitCores(int cores) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return worldError("--threads", "the system names no cores");
+  const int available = CPU_COUNT(&allowed);
+  if (cores == 0) return available;
+  if (cores > available)
+    return inputError("--threads",
+                      std::to_string(cores) + " cores wanted, " + std::to_string(available) + " available");
+  cpu_set_t chosen;
+  CPU_ZERO(&chosen);
+  for (std::size_t cpu = 0, taken = 0; taken < static_cast<std::size_t>(cores); ++cpu)
+    if (CPU_ISSET(cpu, &allowed)) {
+      CPU_SET(cpu, &chosen);
+      ++taken;
+    }
+  if (sched_setaffinity(0, sizeof chosen, &chosen) != 0) return worldError("--threads", "the system refuses that");
+  return cores;
+}
+
+std::string machine(int cores) {
+  std::string model = "unknown processor";
+  if (const auto text = readFile("/proc/cpuinfo")) {
+    const auto key = text->find("model name");
+    const auto colon = key == std::string::npos ? key : text->find(": ", key);
+    if (colon != std::string::npos) model = text->substr(colon + 2, text->find('\n', colon) - colon - 2);
+  }
+  return model + ", " + std::to_string(cores) + (cores == 1 ? " core" : " cores");
+}
+
+/// Nearest rank.
+double quantile(const std::vector<double>& sorted, double p) {
+  const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+Json toJson(const BenchSeries& series) {
+  std::vector<double> sorted = series.values;
+  std::sort(sorted.begin(), sorted.end());
+  return {{"name", series.name},
+          {"unit", series.unit},
+          {"median", sorted.empty() ? Json(nullptr) : Json(quantile(sorted, 0.5))},
+          {"min", sorted.empty() ? Json(nullptr) : Json(sorted.front())},
+          {"p99", sorted.empty() ? Json(nullptr) : Json(quantile(sorted, 0.99))},
+          {"n", sorted.size()}};
+}
+
+void printTable(const Json& document) {
+  std::printf("%s\n%-24s %12s %12s %12s %8s  %s\n", document["machine"].get<std::string>().c_str(), "benchmark",
+              "median", "min", "p99", "n", "unit");
+  for (const Json& r : document["results"]) {
+    if (r["n"] == 0) continue;
+    std::printf("%-24s %12.4g %12.4g %12.4g %8zu  %s\n", r["name"].get<std::string>().c_str(),
+                r["median"].get<double>(), r["min"].get<double>(), r["p99"].get<double>(), r["n"].get<std::size_t>(),
+                r["unit"].get<std::string>().c_str());
+  }
+}
+
+int bench(const Options& o) {
+  const auto cores = limitCores(o.threads);
+  if (!cores) return fail(cores.error());
+  const std::set<std::string> chosen(o.what.begin(), o.what.end());
+  const auto wanted = [&chosen](const char* name) { return chosen.empty() || chosen.contains(name); };
+  Json document = {{"machine", machine(*cores)}, {"results", Json::array()}};
+  {
+    Progress progress(o.quiet, "benchmark");
+    progress.update(0, "rendering frames");
+    auto material = renderMaterial(o.frames);
+    if (!material) return fail(material.error());
+    std::vector<BenchSeries> results;
+    if (wanted("simulate")) results.push_back({"simulate.frame", "ms", material->renderMs});
+    if (wanted("extract")) benchExtract(*material, results);
+    if (wanted("translate") || wanted("assemble") || wanted("register") || wanted("measure")) extractAll(*material);
+    if (wanted("translate")) benchTranslate(*material, results);
+    if (wanted("assemble")) benchAssemble(*material, results);
+    if (wanted("register")) benchRegister(*material, results);
+    if (wanted("measure")) benchMeasure(*material, results);
+    if (wanted("pipeline")) benchPipeline(*material, results);
+    for (const BenchSeries& series : results) document["results"].push_back(toJson(series));
+  }
+  if (!o.json.empty())
+    if (const auto written = writeJson(o.json, document); !written) return fail(written.error());
+  if (o.json != "-") printTable(document);
+  return kDone;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, int& exitCode) {
+  CLI::App* command = app.add_subcommand("bench", "Times of the stages and the rate of the pipeline");
+  const auto o = std::make_shared<Options>();
+  command->footer(
+      "Frames of the virtual rig with default effects, in memory, independent of each other; enough of them that none\n"
+      "is in a cache when its turn comes. Times are wall-clock on one thread; pipeline.cpu.* is CPU time a profile.\n"
+      "Example: vignole-cli bench extract pipeline --threads 2 --json bench.json");
+  command
+      ->add_option("what", o->what, "extract, translate, assemble, register, measure, pipeline, simulate; default: all")
+      ->check(CLI::IsMember({"extract", "translate", "assemble", "register", "measure", "pipeline", "simulate"}));
+  command->add_option("--frames", o->frames, "frames in memory (1.4 MB each)")
+      ->check(CLI::Range(4, 100000))
+      ->capture_default_str();
+  command->add_option("--threads", o->threads, "cores to use; default: all")->check(CLI::Range(1, 1024));
+  command->add_option("--json", o->json, "file, or - for stdout");
+  command->add_flag("--quiet", o->quiet, "no progress on the terminal");
+  command->callback([o, &exitCode] { exitCode = bench(*o); });
+}
 
 }  // namespace vignole::cli

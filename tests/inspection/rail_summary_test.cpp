@@ -163,7 +163,8 @@ TEST_F(RailSummaryTest, TheTrackKeepsItsSizeMeansAndExtremesWhateverTheLength) {
   constexpr std::uint64_t kProfiles = 1000;
   for (std::uint64_t i = 0; i < kProfiles; ++i)
     if (i % 7 != 3) summariser.add(profile(i, deviation(i)));
-  const auto& track = rh(summariser.summary({})).track;
+  const RailSummary summary = summariser.summary({});
+  const auto& track = rh(summary).track;
   ASSERT_LE(track.size(), 16U);
   ASSERT_GE(track.size(), 8U);
   const double width = track[1].positionM - track[0].positionM;
@@ -187,7 +188,7 @@ TEST_F(RailSummaryTest, TheTrackKeepsItsSizeMeansAndExtremesWhateverTheLength) {
     EXPECT_DOUBLE_EQ(bin.maxMm, max);
     counted += n;
   }
-  EXPECT_EQ(counted, rh(summariser.summary({})).values.count());
+  EXPECT_EQ(counted, rh(summary).values.count());
 }
 
 TEST_F(RailSummaryTest, AGapShowsAsABinWithoutValues) {
