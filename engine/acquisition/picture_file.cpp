@@ -70,6 +70,27 @@ Expected<std::vector<char>> bytesOf(const std::filesystem::path& file) {
   return bytes;
 }
 
+/// Whether a JPEG goes on to its end-of-image marker; OpenCV's decoder fills what is missing without a word.
+bool reachesEndOfJpeg(const std::vector<char>& bytes) {
+  const auto at = [&bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  bool inScan = false;
+  for (std::size_t i = 2; i + 1 < bytes.size();) {
+    const bool marker = at(i) == 0xFF && at(i + 1) != 0x00 && at(i + 1) != 0xFF;
+    const bool restart = marker && at(i + 1) >= 0xD0 && at(i + 1) <= 0xD7;
+    if (!marker || restart) {
+      if (!inScan && !restart && at(i) != 0xFF) return false;  // outside of a scan there are only segments
+      i += restart ? 2 : 1;
+      if (at(i - 1) == 0xFF && i < bytes.size() && at(i) == 0x00) ++i;
+      continue;
+    }
+    if (at(i + 1) == 0xD9) return true;
+    if (i + 3 >= bytes.size()) return false;
+    inScan = at(i + 1) == 0xDA;
+    i += 2U + (static_cast<std::size_t>(at(i + 2)) << 8U | at(i + 3));
+  }
+  return false;
+}
+
 /// The decoders go on after damage and fill the rest with grey; only their complaints tell.
 bool tellsDamage(const std::string& complaints) {
   return std::ranges::any_of(std::array{"Premature end", "Corrupt JPEG", "libpng error", "Read Error", "Bogus",
@@ -94,7 +115,9 @@ Expected<cv::Mat> decoded(const std::filesystem::path& file) {
   if (picture.empty())
     return inputError(file.string(),
                       "is not a picture that can be decoded (PNG, JPEG, BMP, TIFF, PGM), or is damaged or cut off");
-  if (tellsDamage(complaints)) return inputError(file.string(), "is damaged or cut off; take the picture again");
+  const bool isJpeg = bytes->size() > 2 && bytes->at(0) == '\xFF' && bytes->at(1) == '\xD8';
+  if (tellsDamage(complaints) || (isJpeg && !reachesEndOfJpeg(*bytes)))
+    return inputError(file.string(), "is damaged or cut off; take the picture again");
   return picture;
 }
 
@@ -145,7 +168,7 @@ std::string_view channelName(Channel channel) {
 Channel laserChannel(const std::uint8_t* rgb, int width, int height, std::ptrdiff_t stride) {
   constexpr int kBeside = 10;       // px; further than the light of a stripe reaches
   constexpr double kShare = 0.005;  // of the pixels: a stripe covers about that much
-  constexpr double kClipped = 0.6;  // weight of a pixel that is clipped: its centre is still where it seems
+  constexpr double kClipped = 0.6;  // of what a clipped pixel stands out: the line is there, but its top is missing
   double best = -1;
   int bestChannel = 0;
   for (int c = 0; c < 3; ++c) {
@@ -158,7 +181,7 @@ Channel laserChannel(const std::uint8_t* rgb, int width, int height, std::ptrdif
         const int across = std::min(at(0, 0) - at(-kBeside, 0), at(0, 0) - at(kBeside, 0));
         const int down = std::min(at(0, 0) - at(0, -kBeside), at(0, 0) - at(0, kBeside));
         const int out = std::max(across, down);
-        if (out > 0) weights[static_cast<std::size_t>(out)] += at(0, 0) >= 254 ? kClipped : 1;
+        if (out > 0) ++weights[static_cast<std::size_t>(at(0, 0) >= 254 ? kClipped * out : out)];
       }
     }
     double left = kShare * static_cast<double>(looked), sum = 0;

@@ -160,6 +160,18 @@ RidgeFilter ridgeFilter(double sigma, double leastRidge) {
   }
   for (std::size_t k = 0; k < taps.size(); ++k) filter.taps[k] = static_cast<float>(taps[k] / sum);
   filter.variancePx2 = squares / sum;
+  const auto tapAt = [&](int k) {
+    const int i = k + filter.radius;
+    return i < 0 || i > 2 * filter.radius ? 0.0 : taps[static_cast<std::size_t>(i)] / sum;
+  };
+  double smooth2 = 0, first2 = 0, second2 = 0;
+  for (int k = -filter.radius - 1; k <= filter.radius + 1; ++k) {
+    smooth2 += std::pow(tapAt(k), 2);
+    first2 += std::pow((tapAt(k + 1) - tapAt(k - 1)) / 2, 2);
+    second2 += std::pow(tapAt(k + 1) + tapAt(k - 1) - 2 * tapAt(k), 2);
+  }
+  filter.gradientNoise = std::sqrt(first2 * smooth2);
+  filter.ridgeNoise = std::sqrt(second2 * smooth2);
   filter.leastRidge = static_cast<float>(leastRidge);
   return filter;
 }

@@ -17,8 +17,10 @@ inline constexpr int kBandHeight = 8;        ///< px
 struct RidgeFilter {
   int radius = 0;
   std::array<float, 2 * kMaxFilterRadius + 1> taps{};
-  double variancePx2 = 0;  ///< of the taps, px^2
-  float leastRidge = 0;    ///< smallest second derivative across the line, negated, DN/px^2
+  double variancePx2 = 0;    ///< of the taps, px^2
+  double gradientNoise = 0;  ///< standard deviation of a first difference for pixels of 1 DN, 1/px
+  double ridgeNoise = 0;     ///< the same of a second difference, 1/px^2
+  float leastRidge = 0;      ///< smallest second derivative across the line, negated, DN/px^2
 };
 [[nodiscard]] RidgeFilter ridgeFilter(double sigma, double leastRidge);
 

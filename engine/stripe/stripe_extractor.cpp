@@ -198,12 +198,12 @@ void StripeExtractor::Impl::rankLines() {
 }
 
 void StripeExtractor::Impl::estimateUncertainty() {
-  speckleMeter.begin(settings.sigma, scan.noiseDn());
+  speckleMeter.begin(filter, scan.noiseDn());
   const auto pointsOf = [this](const LineOfChain& line) { return std::span(points).subspan(line.first, line.count); };
   for (const LineOfChain& line : lines)
     if (!line.rejected) speckleMeter.add(pointsOf(line));
   const float speckle = speckleMeter.speckle();
-  for (const LineOfChain& line : lines) setUncertainty(pointsOf(line), settings.sigma, scan.noiseDn(), speckle);
+  for (const LineOfChain& line : lines) setUncertainty(pointsOf(line), filter, scan.noiseDn(), speckle);
 }
 
 void StripeExtractor::Impl::write(StripeResult& result) const {

@@ -41,10 +41,10 @@ SpeckleGain speckleGain(float s2, float sigma2) {
   return {common * m2 / sigma4, common * (m4 / (sigma4 * sigma4) - 2 * m2 / (sigma4 * sigma2) + m0 / sigma4)};
 }
 
-void SpeckleMeter::begin(double sigma, double noiseDn) {
-  sigma_ = static_cast<float>(sigma);
-  positionNoise2_ = static_cast<float>(std::pow(noiseDn * gradientNoise(sigma), 2));
-  ridgeNoise2_ = static_cast<float>(std::pow(noiseDn * ridgeNoise(sigma), 2));
+void SpeckleMeter::begin(const RidgeFilter& filter, double noiseDn) {
+  sigma_ = static_cast<float>(std::sqrt(filter.variancePx2));
+  positionNoise2_ = static_cast<float>(std::pow(noiseDn * filter.gradientNoise, 2));
+  ridgeNoise2_ = static_cast<float>(std::pow(noiseDn * filter.ridgeNoise, 2));
   fromPosition_.clear();
   fromRidge_.clear();
 }
@@ -78,9 +78,10 @@ float SpeckleMeter::speckle() {
   return std::max(0.0F, std::min(median(fromPosition_), median(fromRidge_)));
 }
 
-void setUncertainty(std::span<ChainPoint> line, double sigma, double noiseDn, float speckle) {
-  const auto sigma2 = static_cast<float>(sigma * sigma);
-  const auto gradient = static_cast<float>(noiseDn * gradientNoise(sigma));
+void setUncertainty(std::span<ChainPoint> line, const RidgeFilter& filter, double noiseDn, float speckle) {
+  const double sigma = std::sqrt(filter.variancePx2);
+  const auto sigma2 = static_cast<float>(filter.variancePx2);
+  const auto gradient = static_cast<float>(noiseDn * filter.gradientNoise);
   const auto reach = static_cast<std::size_t>(std::lround(2.6 * sigma));  // points are 1.13 px apart on average
   for (std::size_t i = 0; i < line.size(); ++i) {
     ChainPoint& c = line[i];

@@ -42,7 +42,8 @@ TEST_P(EveryAngle, CentreNormalStrengthAndWidth) {
       const StripePoint& p = result.points[i];
       if (i > 0) way += std::hypot(p.x - result.points[i - 1].x, p.y - result.points[i - 1].y);
       EXPECT_NEAR(std::hypot(p.nx, p.ny), 1, 1e-5);
-      if ((p.flags & kLineEnd) != 0) continue;  // at the border the picture's edge is repeated
+      // At the border the picture's edge is repeated.
+      if (p.x < 20 || p.y < 20 || p.x > 179 || p.y > 139) continue;
       ++body;
       squares += errorOf(p, line) * errorOf(p, line);
       EXPECT_NEAR(std::abs(p.nx * std::cos(line.angleRad) + p.ny * std::sin(line.angleRad)), 1, 1e-4);

@@ -143,8 +143,8 @@ TEST(Overload, TextureEverywhereIsCappedAndTold) {
   // Blobs of 9 px, bright and dark: every block stands out somewhere.
   for (int y = 0; y < 1024; ++y)
     for (int x = 0; x < 1400; ++x)
-      pixels[static_cast<std::size_t>(y * 1400 + x)] =
-          static_cast<std::uint8_t>(128 + 60 * std::sin(x * 0.35) * std::sin(y * 0.31) + static_cast<double>(random() % 8));
+      pixels[static_cast<std::size_t>(y * 1400 + x)] = static_cast<std::uint8_t>(
+          128 + 60 * std::sin(x * 0.35) * std::sin(y * 0.31) + static_cast<double>(random() % 8));
   StripeSettings settings;
   settings.maxBlocks = 2000;
   EXPECT_TRUE(extracted(pixels, 1400, 1024, settings).overloaded);
