@@ -216,11 +216,13 @@ bool TomlReader::boolean(std::string_view key, std::optional<bool> fallback) {
 }
 
 std::string TomlReader::text(std::string_view key, std::optional<std::string> fallback) {
-  const toml::node* node = impl_->value(key, fallback.has_value(), "text in quotes");
-  if (node == nullptr) return fallback.value_or("");
-  const auto v = node->value_exact<std::string>();
+  const bool mayBeMissing = fallback.has_value();
+  std::string instead = mayBeMissing ? std::move(*fallback) : std::string();
+  const toml::node* node = impl_->value(key, mayBeMissing, "text in quotes");
+  if (node == nullptr) return instead;
+  auto v = node->value_exact<std::string>();
   if (!v) impl_->wrongKind(key, *node, "text in quotes");
-  return v.value_or(fallback.value_or(""));
+  return v ? std::move(*v) : instead;
 }
 
 std::vector<double> TomlReader::numbers(std::string_view key, std::size_t count) {

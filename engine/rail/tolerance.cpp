@@ -50,7 +50,8 @@ Expected<void> readClasses(TomlReader& file, const std::string& kind, std::strin
   bool found = false;
   for (const std::string& name : file.keys(kind)) {
     const std::string key = kind + "." + name;
-    there += (there.empty() ? "" : ", ") + name;
+    there += there.empty() ? "" : ", ";
+    there += name;
     found = found || name == wanted;
     (void)file.text(key + ".title");
     const std::size_t lines = file.size(key + ".limits");
