@@ -1,6 +1,8 @@
 // The same answers on every SIMD target, without SIMD, from call to call, and without allocations.
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -93,17 +95,14 @@ TEST(Extraction, EveryTargetFindsTheSamePoints) {
     StripeExtractor({}).extract(scene.view(), result);
     ASSERT_NEAR(static_cast<double>(result.points.size()), static_cast<double>(first.points.size()), 2)
         << stripeSimdTarget();
-    // Rounding may admit a point more or less where the line passes between two pixels; the others agree.
-    std::size_t k = 0;
-    double worst = 0;
+    // Rounding may admit a point more or less where the line passes between two pixels, and with it another chord at
+    // the end of the line; the others agree within what a float coordinate can tell.
     for (const StripePoint& p : result.points) {
-      while (k + 1 < first.points.size() && first.points[k].x < p.x - 0.01F &&
-             std::abs(first.points[k].x - p.x) > std::abs(first.points[k + 1].x - p.x))
-        ++k;
-      const float d = std::hypot(first.points[k].x - p.x, first.points[k].y - p.y);
-      if (d < 0.3F) worst = std::max(worst, static_cast<double>(d));
+      if ((p.flags & (kLineEnd | kGapEdge)) != 0) continue;
+      float nearest = 1;
+      for (const StripePoint& q : first.points) nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+      EXPECT_TRUE(nearest < 5e-4F || nearest > 0.3F) << stripeSimdTarget() << ": " << nearest;
     }
-    EXPECT_LT(worst, 3e-3) << stripeSimdTarget();
   });
 }
 
