@@ -266,7 +266,41 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
   return kDone;
 }
 
+/// Stops the inspection that is connected, also if it is connected after it was asked to.
+class StopSwitch {
+ public:
+  class Connection {
+   public:
+    Connection(StopSwitch& stopSwitch, Inspection& inspection) : switch_(stopSwitch) { switch_.connect(&inspection); }
+    ~Connection() { switch_.connect(nullptr); }
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+   private:
+    StopSwitch& switch_;
+  };
+
+  void stop() {
+    const std::scoped_lock lock(mutex_);
+    asked_ = true;
+    if (inspection_ != nullptr) inspection_->stop();
+  }
+
+ private:
+  void connect(Inspection* inspection) {
+    const std::scoped_lock lock(mutex_);
+    inspection_ = inspection;
+    if (asked_ && inspection_ != nullptr) inspection_->stop();
+  }
+  std::mutex mutex_;
+  Inspection* inspection_ = nullptr;
+  bool asked_ = false;
+};
+
 int inspect(const Options& o) {
+  StopSwitch stopSwitch;
+  // Before any other thread is made: they inherit that they are not to be interrupted.
+  const Interruption interruption([&stopSwitch] { stopSwitch.stop(); });
   if (const auto possible = refuseWhatIsNotThere(o); !possible) return fail(possible.error());
   const auto recipe = findRecipe(o.recipe);
   if (!recipe) return fail(recipe.error());
@@ -292,19 +326,9 @@ int inspect(const Options& o) {
   const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
   Collector collected(*recipe, calibration, *rig, std::move(csv), *progress, expected);
   {
-    Inspection* running = nullptr;
-    std::mutex mutex;
-    // Before the inspection: its threads inherit that they are not to be interrupted.
-    const Interruption interruption([&] {
-      const std::scoped_lock lock(mutex);
-      if (running != nullptr) running->stop();
-    });
     const auto start = Clock::now();
     Inspection inspection(*source, *recipe, calibration, collected.observer());
-    {
-      const std::scoped_lock lock(mutex);
-      running = &inspection;
-    }
+    const StopSwitch::Connection connection(stopSwitch, inspection);
     inspection.start();
     std::optional<Clock::time_point> until;
     if (o.seconds)
@@ -314,8 +338,6 @@ int inspect(const Options& o) {
     outcome.wallS = std::chrono::duration<double>(collected.endedAt - start).count();
     outcome.triggers = inspection.triggers();
     outcome.stages = inspection.stages();
-    const std::scoped_lock lock(mutex);
-    running = nullptr;
   }
   progress.reset();
   outcome.rails = collected.rails;

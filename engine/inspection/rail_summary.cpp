@@ -100,8 +100,13 @@ void RailSummariser::widenBins() {
   }
 }
 
+std::size_t RailSummariser::binAt(double positionM) const {
+  // Positions are multiples of the spacing and so are the bins' edges: rounding must not put one into the bin before.
+  return static_cast<std::size_t>(positionM / binWidthM_ + 1e-6);
+}
+
 void RailSummariser::addToTrack(DimensionSummary& dimension, double positionM, double valueMm) const {
-  const auto bin = static_cast<std::size_t>(positionM / binWidthM_);
+  const std::size_t bin = binAt(positionM);
   auto& track = dimension.track;
   while (track.size() <= bin) {
     TrackBin empty;
@@ -159,7 +164,7 @@ void RailSummariser::add(const ProfileResult& result) {
   ++summary_.profiles;
   const double positionM = result.profile.positionMm / 1000;
   summary_.lengthM = std::max(summary_.lengthM, positionM + summary_.rail.spacingMm / 1000);
-  while (positionM >= binWidthM_ * static_cast<double>(settings_.trackBins)) widenBins();
+  while (binAt(positionM) >= settings_.trackBins) widenBins();
   for (std::size_t d = 0; d < kDimensionCount; ++d) {
     const DimensionResult& measured = result.measurement.dimensions[d];
     DimensionSummary& dimension = summary_.dimensions[d];

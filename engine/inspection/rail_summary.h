@@ -76,6 +76,7 @@ class RailSummariser {
     double fromM = 0, toM = 0;
     double worstMm = 0, worstBy = 0;  ///< value furthest outside, and how far
   };
+  [[nodiscard]] std::size_t binAt(double positionM) const;
   void addToTrack(DimensionSummary& dimension, double positionM, double valueMm) const;
   void addToRuns(std::size_t dimension, double positionM, const DimensionResult& result);
   void widenBins();

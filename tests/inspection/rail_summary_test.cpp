@@ -174,7 +174,7 @@ TEST_F(RailSummaryTest, TheTrackKeepsItsSizeMeansAndExtremesWhateverTheLength) {
     std::uint32_t n = 0;
     for (std::uint64_t i = 0; i < kProfiles; ++i) {
       const double position = 0.1 * static_cast<double>(i);
-      if (i % 7 == 3 || position < bin.positionM - width / 2 - 1e-9 || position >= bin.positionM + width / 2 - 1e-9)
+      if (i % 7 == 3 || position < bin.positionM - width / 2 - 1e-6 || position >= bin.positionM + width / 2 - 1e-6)
         continue;
       const double value = 172 + deviation(i);
       sum += value;
