@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
@@ -237,11 +236,16 @@ void addMeasure(CLI::App& app, int& exitCode) {
       "Example: vignole-cli measure head.ban profile.csv --rail 60E1 --json -");
   command->add_option("FILE", options->files, "profiles: two numeric columns, MiniProf .ban, SIMPACK .prr")->required();
   command->add_option("--rail", options->rail, "section of the catalogue, or a section file")->required();
-  const std::map<std::string, ProfileFormat> formats = {
-      {"auto", ProfileFormat::Auto}, {"csv", ProfileFormat::Csv}, {"miniprof", ProfileFormat::MiniProf}};
-  command->add_option("--format", options->format, "auto, csv or miniprof (default auto)")
-      ->transform(CLI::Transformer(formats))
-      ->check(CLI::IsMember({ProfileFormat::Auto, ProfileFormat::Csv, ProfileFormat::MiniProf}));
+  command
+      ->add_option_function<std::string>(
+          "--format",
+          [options](const std::string& format) {
+            options->format = format == "csv"        ? ProfileFormat::Csv
+                              : format == "miniprof" ? ProfileFormat::MiniProf
+                                                     : ProfileFormat::Auto;
+          },
+          "auto, csv or miniprof (default auto)")
+      ->check(CLI::IsMember({"auto", "csv", "miniprof"}));
   command
       ->add_option_function<std::string>(
           "--units",

@@ -11,14 +11,15 @@ constexpr double kFreeBreakPerMm = 0.03;  // a jump of curvature that places its
 constexpr double kTukey = 4.685;          // 95 % efficiency on normal errors
 constexpr double kHardCut = 4;            // standard deviations, in the last rounds
 constexpr int kSoftRounds = 6;
-constexpr int kHardRounds = 2;
+constexpr int kHardRounds = 3;
+constexpr std::size_t kSoftPoints = 120;
 constexpr double kSettledMm = 2e-3;  // a step this small: on to the last rounds
 constexpr std::size_t kScaleSamples = 101;
 
-/// Weight of a residual of z standard deviations.
-double robustWeight(double z, double cut, bool hard) {
-  if (hard) return std::abs(z) < cut ? 1.0 : 0.0;
-  const double u = 1 - z * z / (cut * cut);
+/// Weight of a residual whose square, in variances, is z2.
+double robustWeight(double z2, double cut2, bool hard) {
+  if (hard) return z2 < cut2 ? 1.0 : 0.0;
+  const double u = 1 - z2 / cut2;
   return u > 0 ? u * u : 0.0;
 }
 
@@ -56,17 +57,22 @@ CurvePiece<double> plain(const CurvePiece<LocalDual>& p) {
           p.toMm};
 }
 
-/// Rounds of weighting and solving shared by both fits: soft weights until the steps are small, then a hard cut.
+/// Rounds of weighting and solving shared by both fits: soft weights on some of the points until the steps are small,
+/// then a hard cut on all of them. round(cut, hard, stride) returns its step in mm, negative if it failed.
 template <typename Scale, typename Round>
-bool iterate(Scale scale, Round round) {
+bool iterate(std::size_t points, Scale scale, Round round) {
+  const std::size_t stride = std::max<std::size_t>(1, points / kSoftPoints);
   for (int i = 0; i < kSoftRounds; ++i) {
-    const double step = round(kTukey * scale(), false);
+    const double step = round(kTukey * scale(), false, stride);
     if (!(step >= 0)) return false;
     if (step < kSettledMm) break;
   }
   const double cut = kHardCut * scale();
-  for (int i = 0; i < kHardRounds; ++i)
-    if (!(round(cut, true) >= 0)) return false;
+  for (int i = 0; i < kHardRounds; ++i) {
+    const double step = round(cut, true, 1);
+    if (!(step >= 0)) return false;
+    if (step < kSettledMm) break;
+  }
   return true;
 }
 
@@ -85,6 +91,7 @@ ChainFit::ChainFit(const Section& section, ChainPlan plan) : plan_(std::move(pla
   pieces_.resize(nominal_.size());
   plain_.resize(nominal_.size());
   breaks_.resize(nominal_.size());
+  sums_.resize(nominal_.size());
   unknowns_.curvature.resize(nominal_.size());
   unknowns_.breakAfter.resize(nominal_.size());
 }
@@ -174,41 +181,40 @@ double ChainFit::robustScale() {
   return medianScale(sorted_);
 }
 
-double ChainFit::accumulate(double cut, bool hard, UnknownMatrix& a, UnknownVector& b) {
+double ChainFit::accumulate(double cut, bool hard, std::size_t stride, UnknownMatrix& a, UnknownVector& b) {
+  solution_.scatter = {};
+  for (std::size_t k = first_; k <= last_; ++k) sums_[k] = {};
+  double squares = 0;
+  int kept = 0;
+  for (std::size_t i = 0; i < points_.size(); i += stride) {
+    const FitPoint& p = points_[i];
+    const std::size_t k = pieceAt(p.x, p.y);
+    const Distance d = distanceTo(plain_[k], p.x, p.y);
+    const double z2 = d.r * d.r * p.weight, w = robustWeight(z2, cut * cut, hard);
+    if (w == 0) continue;
+    const Eigen::Vector4d j(-d.nx, -d.ny, d.nx * d.dy - d.ny * d.dx, d.perCurvature);
+    const Eigen::Vector4d wj = w * p.weight * j;
+    sums_[k].matrix.noalias() += wj * j.transpose();
+    sums_[k].vector += wj * d.r;
+    solution_.scatter.chi2[p.camera] += z2;
+    ++solution_.scatter.points[p.camera];
+    squares += d.r * d.r;
+    ++kept;
+  }
   a.setZero();
   b.setZero();
-  solution_.scatter = {};
-  double squares = 0;
   for (std::size_t k = first_; k <= last_; ++k) {
-    const CurvePiece<double>& piece = plain_[k];
-    Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d v = Eigen::Vector4d::Zero();
-    for (const FitPoint& p : points_) {
-      if (first_ != last_ && pieceAt(p.x, p.y) != k) continue;
-      const Distance d = distanceTo(piece, p.x, p.y);
-      const double z2 = d.r * d.r * p.weight;
-      const double w = robustWeight(std::sqrt(z2), cut, hard);
-      if (w == 0) continue;
-      const Eigen::Vector4d j(-d.nx, -d.ny, d.nx * d.dy - d.ny * d.dx, d.perCurvature);
-      const Eigen::Vector4d wj = w * p.weight * j;
-      m += wj * j.transpose();
-      v += wj * d.r;
-      solution_.scatter.chi2[p.camera] += z2;
-      ++solution_.scatter.points[p.camera];
-      squares += d.r * d.r;
-    }
     // How the frame of this piece moves with the unknowns of the chain.
     Eigen::Matrix<double, 4, static_cast<int>(kMaxUnknowns)> frame;
-    for (std::size_t i = 0; i < kMaxUnknowns; ++i) {
-      const auto& f = pieces_[k];
+    const CurvePiece<LocalDual>& f = pieces_[k];
+    for (std::size_t i = 0; i < kMaxUnknowns; ++i)
       frame.col(static_cast<int>(i)) << f.origin.x.gradient[i], f.origin.y.gradient[i],
-          piece.tangent.x * f.tangent.y.gradient[i] - piece.tangent.y * f.tangent.x.gradient[i],
+          f.tangent.x.value * f.tangent.y.gradient[i] - f.tangent.y.value * f.tangent.x.gradient[i],
           f.curvature.gradient[i];
-    }
-    a += frame.transpose() * m * frame;
-    b += frame.transpose() * v;
+    const Eigen::Matrix<double, 4, static_cast<int>(kMaxUnknowns)> moved = sums_[k].matrix * frame;
+    a.noalias() += frame.transpose() * moved;
+    b.noalias() += frame.transpose() * sums_[k].vector;
   }
-  const int kept = solution_.scatter.total();
   solution_.meanSquareMm2 = kept > 0 ? squares / kept : 0;
   return kept;
 }
@@ -221,8 +227,8 @@ void ChainFit::solve(std::size_t first, std::size_t last) {
   walk();
   UnknownMatrix a;
   UnknownVector b;
-  const auto round = [&](double cut, bool hard) -> double {
-    if (accumulate(cut, hard, a, b) < n + 1) return -1;
+  const auto round = [&](double cut, bool hard, std::size_t stride) -> double {
+    if (accumulate(cut, hard, stride, a, b) < n + 1) return -1;
     for (int i = n; i < a.rows(); ++i) a(i, i) = 1;  // unknowns that this chain does not have
     // Unit diagonal: curvatures and angles differ from offsets by orders of magnitude.
     const UnknownVector scale = a.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
@@ -240,17 +246,19 @@ void ChainFit::solve(std::size_t first, std::size_t last) {
     walk();
     return std::abs(step(0)) + 10 * std::abs(step(1));
   };
-  solution_.valid = iterate([&] { return robustScale(); }, round);
+  solution_.valid = iterate(
+      points_.size(), [&] { return robustScale(); }, round);
 }
 
-double FootBottomFit::accumulate(double cut, bool hard, Eigen::Matrix3d& a, Eigen::Vector3d& b) {
+double FootBottomFit::accumulate(double cut, bool hard, std::size_t stride, Eigen::Matrix3d& a, Eigen::Vector3d& b) {
   a.setZero();
   b.setZero();
   solution_.scatter = {};
   double squares = 0;
-  for (const FitPoint& p : points_) {
+  for (std::size_t i = 0; i < points_.size(); i += stride) {
+    const FitPoint& p = points_[i];
     const double u = p.x / kFootScaleMm, r = p.y - (c_(0) + u * (c_(1) + u * c_(2))), z2 = r * r * p.weight;
-    const double w = robustWeight(std::sqrt(z2), cut, hard) * p.weight;
+    const double w = robustWeight(z2, cut * cut, hard) * p.weight;
     if (w == 0) continue;
     const Eigen::Vector3d j(1, u, u * u);
     a += w * j * j.transpose();
@@ -280,8 +288,8 @@ void FootBottomFit::solve() {
     }
     return medianScale(sorted_);
   };
-  const auto round = [&](double cut, bool hard) -> double {
-    if (accumulate(cut, hard, a, b) < 4) return -1;
+  const auto round = [&](double cut, bool hard, std::size_t stride) -> double {
+    if (accumulate(cut, hard, stride, a, b) < 4) return -1;
     const Eigen::LLT<Eigen::Matrix3d> llt(a);
     if (llt.info() != Eigen::Success) return -1;
     const Eigen::Vector3d step = llt.solve(b);
@@ -290,7 +298,7 @@ void FootBottomFit::solve() {
     if (hard) solution_.covariance.topLeftCorner<3, 3>() = llt.solve(Eigen::Matrix3d::Identity());
     return step.lpNorm<1>();
   };
-  solution_.valid = iterate(scale, round);
+  solution_.valid = iterate(points_.size(), scale, round);
 }
 
 }  // namespace vignole

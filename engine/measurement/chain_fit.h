@@ -68,7 +68,7 @@ class ChainFit {
   };
   void layOut(std::size_t first, std::size_t last);
   void walk();
-  double accumulate(double cut, bool hard, UnknownMatrix& a, UnknownVector& b);
+  double accumulate(double cut, bool hard, std::size_t stride, UnknownMatrix& a, UnknownVector& b);
   [[nodiscard]] double robustScale();
   [[nodiscard]] std::size_t pieceAt(double x, double y) const;
 
@@ -87,6 +87,12 @@ class ChainFit {
   };
   std::vector<CurvePiece<double>> plain_;
   std::vector<Break> breaks_;
+  /// Normal equations of one piece in x, y, angle and curvature of its frame.
+  struct FrameSums {
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d vector = Eigen::Vector4d::Zero();
+  };
+  std::vector<FrameSums> sums_;
   FitSolution solution_;
 };
 
@@ -100,7 +106,7 @@ class FootBottomFit {
   static constexpr double kFootScaleMm = 60;
 
  private:
-  double accumulate(double cut, bool hard, Eigen::Matrix3d& a, Eigen::Vector3d& b);
+  double accumulate(double cut, bool hard, std::size_t stride, Eigen::Matrix3d& a, Eigen::Vector3d& b);
   std::vector<FitPoint> points_;
   std::vector<double> sorted_;
   Eigen::Vector3d c_ = Eigen::Vector3d::Zero();

@@ -13,6 +13,7 @@ namespace {
 constexpr double kCellMm = 1;
 constexpr double kMarginMm = 40;
 constexpr std::size_t kCoarsePoints = 128;
+constexpr std::size_t kMiddlePoints = 640;  // brings the pose within a few micrometres before all points are looked at
 constexpr int kCoarseRounds = 25;
 constexpr std::size_t kMinPoints = 20;
 constexpr float kFallbackSigmaMm = 0.03F;  // where a point comes without its uncertainty
@@ -96,23 +97,50 @@ struct Registrar::Impl {
     }
   }
 
+  /// Looks the nearest primitive of every point up and lays the points out primitive by primitive, whatever their order
+  /// and however many strays break it: one run, and one loop without branches, for each primitive.
+  void sortByPrimitive(std::size_t n, const Transform2& sectionFromWorld) {
+    moveIntoSection(rawX.data(), rawY.data(), n, sectionFromWorld);
+    bucketEnd.assign(carriers.size() + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      found[i] = grid.nearest(x[i], y[i]);
+      ++bucketEnd[found[i] + 1U];
+    }
+    for (std::size_t k = 1; k < bucketEnd.size(); ++k) bucketEnd[k] += bucketEnd[k - 1];
+    for (std::size_t i = 0; i < n; ++i) {  // afterwards bucketEnd[k] is one past the last point of primitive k
+      const std::uint32_t at = bucketEnd[found[i]]++;
+      order[at] = static_cast<std::uint32_t>(i);
+      nearest[at] = found[i];
+      sortedX[at] = rawX[i];
+      sortedY[at] = rawY[i];
+    }
+  }
+
   void take(std::span<const ProfilePoint> points) {
     const std::size_t n = points.size();
     if (n > rawX.size())
-      for (auto* v : {&rawX, &rawY, &x, &y}) v->resize(n);
-    nearest.resize(std::max(nearest.size(), std::max(n, 2 * kCoarsePoints)));
-    for (auto* v : {&x, &y}) v->resize(std::max(v->size(), 2 * kCoarsePoints));
+      for (auto* v : {&rawX, &rawY, &x, &y, &sortedX, &sortedY}) v->resize(n);
+    const std::size_t room = std::max({n, nearest.size(), 2 * kMiddlePoints});
+    nearest.resize(room);
+    found.resize(room);
+    order.resize(room);
+    for (auto* v : {&x, &y}) v->resize(room);
     for (std::size_t i = 0; i < n; ++i) {
       const bool finite = std::isfinite(points[i].x) && std::isfinite(points[i].y);
       rawX[i] = finite ? points[i].x : kFarMm;
       rawY[i] = finite ? points[i].y : kFarMm;
     }
-    coarseX.clear();
-    coarseY.clear();
-    const std::size_t stride = std::max<std::size_t>(1, n / kCoarsePoints);
-    for (std::size_t i = stride / 2; i < n && coarseX.size() < 2 * kCoarsePoints; i += stride) {
-      coarseX.push_back(rawX[i]);
-      coarseY.push_back(rawY[i]);
+    thin(n, kCoarsePoints, coarseX, coarseY);
+    thin(n, kMiddlePoints, middleX, middleY);
+  }
+
+  void thin(std::size_t n, std::size_t wanted, std::vector<double>& tx, std::vector<double>& ty) const {
+    tx.clear();
+    ty.clear();
+    const std::size_t stride = std::max<std::size_t>(1, n / wanted);
+    for (std::size_t i = stride / 2; i < n; i += stride) {
+      tx.push_back(rawX[i]);
+      ty.push_back(rawY[i]);
     }
   }
 
@@ -186,23 +214,19 @@ struct Registrar::Impl {
 
   void evaluate(std::span<const ProfilePoint> points, const Transform2& pose, Registration& r) {
     const std::size_t n = points.size();
-    moveIntoSection(rawX.data(), rawY.data(), n, pose);
+    moveIntoSection(sortedX.data(), sortedY.data(), n, pose);
     double squares = 0, chi2 = 0, assignedSquares = 0, variance = 0;
     int near = 0, assigned = 0;
-    for (std::size_t i = 0; i < n;) {
-      std::size_t j = i;
-      const std::uint16_t k = nearest[i];
-      const Carrier& carrier = carriers[k];
+    for (std::size_t k = 0, i = 0; k < carriers.size(); ++k) {
       PrimitiveResidual& p = r.primitives[k];
-      for (; j < n && nearest[j] == k; ++j) {
-        const double d = carrier.residual(x[j], y[j]), distance = std::abs(d), d2 = d * d;
-        const float given = points[j].sigmaMm;
-        const double sigma = given > 0 ? given : kFallbackSigmaMm;
-        r.residualMm[j] = static_cast<float>(d);
-        const bool isAssigned = distance <= settings.assignMm;
-        r.primitiveOfPoint[j] = isAssigned ? static_cast<std::int16_t>(k) : std::int16_t{-1};
-        if (!isAssigned) continue;
-        const double c = d2 / (sigma * sigma);
+      for (; i < bucketEnd[k]; ++i) {
+        const double d = carriers[k].residual(x[i], y[i]), distance = std::abs(d), d2 = d * d;
+        const std::uint32_t point = order[i];
+        r.residualMm[point] = static_cast<float>(d);
+        if (distance > settings.assignMm) continue;  // stays -1
+        r.primitiveOfPoint[point] = static_cast<std::int16_t>(k);
+        const float given = points[point].sigmaMm;
+        const double sigma = given > 0 ? given : kFallbackSigmaMm, c = d2 / (sigma * sigma);
         ++assigned;
         assignedSquares += d2;
         ++p.points;
@@ -219,7 +243,6 @@ struct Registrar::Impl {
           variance += sigma * sigma;
         }
       }
-      i = j;
     }
     for (PrimitiveResidual& p : r.primitives) {
       if (p.points == 0) continue;
@@ -274,13 +297,10 @@ struct Registrar::Impl {
     Transform2 pose = best.pose;
     double scale = std::clamp(6 * best.rms, 0.15, 1.0);
     NormalEquations equations;
-    double step = 1;
-    for (int fine = 0; fine < 2; ++fine) {
-      const Pass p = pass(rawX.data(), rawY.data(), points.size(), pose, scale, fine == 0 || step > 0.05, &equations);
-      if (p.step < 0) break;
-      step = p.step;
+    if (const Pass p = pass(middleX.data(), middleY.data(), middleX.size(), pose, scale, true); p.step >= 0)
       scale = std::clamp(6 * p.rms, 0.15, scale);
-    }
+    sortByPrimitive(points.size(), pose);
+    pass(sortedX.data(), sortedY.data(), points.size(), pose, scale, false, &equations);
     r.iterations = best.rounds + 2;
     evaluate(points, pose, r);
     r.worldFromSection = pose.inverse();
@@ -312,8 +332,9 @@ struct Registrar::Impl {
   CandidateGrid grid;
   double centreY = 0;
   Extent outlineX, outlineY, headX;
-  std::vector<double> rawX, rawY, x, y, coarseX, coarseY, sorted;
-  std::vector<std::uint16_t> nearest;
+  std::vector<double> rawX, rawY, x, y, sortedX, sortedY, coarseX, coarseY, middleX, middleY, sorted;
+  std::vector<std::uint16_t> nearest, found;
+  std::vector<std::uint32_t> order, bucketEnd;
   double assignedRms = 0, meanVariance = 0;
 };
 
