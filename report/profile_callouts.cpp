@@ -114,71 +114,86 @@ void ProfileCallouts::paintDimension(const ProfileDrawing& drawing, Dimension d)
     for (const Point2& world : result.anchors) anchors.push_back(frame_.map(sectionFromWorld * world));
   }
   painter_.setPen(QPen(callout.ink, 1.75));
-  if (anchors.size() < 2) {
-    if (!anchors.empty()) {
-      callout.target = anchors.front();
-      callout.wishedY = anchors.front().y();
-    }
-    paint(callout);
-    return;
-  }
-
-  QPointF a = anchors[0], b = anchors[1];
-  if (isHorizontal(d)) {
-    if (a.x() > b.x()) std::swap(a, b);
-    callout.leftSide = d == Dimension::RASl;
-    // RAS: the foot edge lies far below the head side; it is carried up to where the arrow stands.
-    const double level = isGap(d) ? std::min(a.y(), b.y()) : 0.5 * (a.y() + b.y());
+  if (d == Dimension::HR || d == Dimension::HF || d == Dimension::FC) {
+    if (result.valueMm) pointAt(*drawing.section, d, anchors, callout);
+  } else if (anchors.size() >= 2) {
     if (isGap(d)) {
-      const QPointF foot = a.y() > b.y() ? a : b;
-      painter_.setPen(QPen(QBrush(callout.ink), 1, Qt::CustomDashLine));
-      QPen dashed = painter_.pen();
-      dashed.setDashPattern({6, 4});
-      painter_.setPen(dashed);
-      painter_.drawLine(foot, QPointF(foot.x(), level - 10 * scale_));
-      space_.occupy(QRectF(QPointF(std::min(a.x(), b.x()), level - 2), QPointF(std::max(a.x(), b.x()), level + 2)));
+      measureGap(*drawing.section, anchors[0], anchors[1], callout);
+    } else if (isHorizontal(d)) {
+      measureAcross(anchors[0], anchors[1], callout);
+    } else {
+      measureUpright(anchors, callout);
     }
-    a.setY(level);
-    b.setY(level);
-    callout.wishedY = isGap(d) ? level - 40 * scale_ : level;
-    const bool outside = !isGap(d);
-    const QRectF box = space_.find(sizeOf(callout), callout.leftSide, callout.wishedY);
-    const bool reached = outside && level > box.top() && level < box.bottom();
-    const double tail = reached && !callout.leftSide ? box.left() - b.x() - (callout.ground ? 0 : 6) : kTailPx * scale_;
-    painter_.setPen(QPen(callout.ink, 1.75));
-    measureLine(a, b, outside, kTailPx * scale_);
-    if (outside) painter_.drawLine(b, b + QPointF(std::max(tail, kTailPx * scale_), 0));
-    if (!reached && outside) callout.target = b + QPointF(kTailPx * scale_, 0);
-    paint(callout);
-    return;
   }
+  paint(callout);
+}
 
-  if (d == Dimension::HR || d == Dimension::HF) {
-    // A radius: one arrow from inside to the crown. A deviation of the crown: one from outside to where it is.
-    const bool inside = d == Dimension::HR;
-    const QPointF crown = inside ? anchors[anchors.size() / 2] : anchors.front();
-    const QPointF tail = crown + QPointF(0, (inside ? 1 : -0.8) * kTailPx * scale_);
-    painter_.drawLine(crown, tail);
-    arrow(crown, QPointF(0, inside ? -1 : 1));
-    callout.target = tail;
-    callout.wishedY = callout.target->y();
-    paint(callout);
-    return;
+void ProfileCallouts::pointAt(const Section& section, Dimension d, const std::vector<QPointF>& anchors,
+                              Callout& callout) {
+  // These have no two ends to measure between: one arrow shows where they are taken. A radius is pointed at from
+  // inside.
+  const double axis = section.axisFromFootMiddleMm;
+  QPointF at = frame_.map(d == Dimension::FC ? Point2(0, 0) : Point2(axis, section.heightMm()));
+  if (!anchors.empty()) at = anchors.front();
+  const double down = d == Dimension::HF ? -1 : 1;
+  const QPointF tail = at + QPointF(0, down * (d == Dimension::FC ? 0.5 : 0.8) * kTailPx * scale_);
+  painter_.drawLine(at, tail);
+  arrow(at, QPointF(0, -down));
+  callout.target = tail;
+  callout.wishedY = tail.y();
+}
+
+void ProfileCallouts::measureGap(const Section& section, QPointF a, QPointF b, Callout& callout) {
+  callout.leftSide = *callout.dimension == Dimension::RASl;
+  if (a.x() > b.x()) std::swap(a, b);
+  const double level = std::min(a.y(), b.y());
+  // The foot edge lies far below the head side; it is carried up to where the arrow stands.
+  const double edgeX = callout.leftSide ? a.x() : b.x();
+  double edgeY = std::max(a.y(), b.y());
+  if (const auto edge = section.find(callout.leftSide ? "SBL" : "SBR")) {
+    const Primitive& shape = section.primitives[*edge].shape;
+    edgeY = frame_.map(vignole::pointAt(shape, 0.5 * length(shape))).y();
   }
-  for (std::size_t pair = 0; pair + 1 < anchors.size() && pair < 4; pair += 2) {
+  QPen dashed(QBrush(callout.ink), 1, Qt::CustomDashLine, Qt::FlatCap);
+  dashed.setDashPattern({6, 4});
+  painter_.setPen(dashed);
+  painter_.drawLine(QPointF(edgeX, edgeY), QPointF(edgeX, level - 10 * scale_));
+  painter_.setPen(QPen(callout.ink, 1.75));
+  measureLine(QPointF(a.x(), level), QPointF(b.x(), level), false, 0);
+  space_.occupy(QRectF(QPointF(a.x(), level - 2), QPointF(b.x(), level + 2)));
+  callout.wishedY = level - 40 * scale_;
+}
+
+void ProfileCallouts::measureAcross(QPointF a, QPointF b, Callout& callout) {
+  if (a.x() > b.x()) std::swap(a, b);
+  const double level = 0.5 * (a.y() + b.y()), shortTail = kTailPx * scale_;
+  a.setY(level);
+  b.setY(level);
+  measureLine(a, b, true, shortTail);
+  callout.wishedY = level;
+  // Where the text stands at the same height, the right arrow's tail goes to it; else a leader does.
+  const QRectF box = space_.find(sizeOf(callout), callout.leftSide, level);
+  if (level > box.top() && level < box.bottom()) {
+    const double gap = callout.ground ? 0 : kLeaderGapPx;
+    painter_.drawLine(b, QPointF(std::max(box.left() - gap, b.x() + shortTail), level));
+  } else {
+    callout.target = b + QPointF(shortTail, 0);
+  }
+}
+
+void ProfileCallouts::measureUpright(const std::vector<QPointF>& anchors, Callout& callout) {
+  for (std::size_t pair = 0; pair + 1 < anchors.size(); pair += 2) {
     QPointF low = anchors[pair], high = anchors[pair + 1];
     if (low.y() < high.y()) std::swap(low, high);
     const double x = 0.5 * (low.x() + high.x());
     low.setX(x);
     high.setX(x);
     const bool outside = low.y() - high.y() < kShortMeasurePx * scale_;
-    painter_.setPen(QPen(callout.ink, 1.75));
     measureLine(high, low, outside, kTailPx * scale_);
     callout.target = outside ? high + QPointF(0, -kTailPx * scale_) : 0.5 * (low + high);
   }
-  callout.leftSide = d == Dimension::FTl;
+  callout.leftSide = *callout.dimension == Dimension::FTl;
   callout.wishedY = callout.target->y();
-  paint(callout);
 }
 
 void ProfileCallouts::measureLine(const QPointF& a, const QPointF& b, bool outside, double tailPx) {

@@ -39,6 +39,10 @@ class ProfileCallouts {
   void paintDimension(const ProfileDrawing& drawing, Dimension dimension);
   [[nodiscard]] QSizeF sizeOf(const Callout& callout) const;
   void paintBox(const Callout& callout, const QRectF& box);
+  void pointAt(const Section& section, Dimension dimension, const std::vector<QPointF>& anchors, Callout& callout);
+  void measureGap(const Section& section, QPointF a, QPointF b, Callout& callout);
+  void measureAcross(QPointF a, QPointF b, Callout& callout);
+  void measureUpright(const std::vector<QPointF>& anchors, Callout& callout);
   void leader(const QPointF& from, const QRectF& box, const QColor& ink);
   void arrow(const QPointF& tip, const QPointF& direction);
   void measureLine(const QPointF& a, const QPointF& b, bool outside, double tailPx);

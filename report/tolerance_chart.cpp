@@ -136,22 +136,24 @@ class ChartPainter {
   }
 
   [[nodiscard]] double binWidth() const {
-    return lengthM_ / static_cast<double>(std::max<std::size_t>(1, s_.track.size()));
+    if (s_.track.size() < 2) return lengthM_;
+    return s_.track[1].positionM - s_.track[0].positionM;
   }
 
+  void hatch(double fromM, double toM) {
+    paintHatch(painter_, QRectF(QPointF(x(fromM), plot_.top()), QPointF(x(toM), plot_.bottom())), palette_.invalid,
+               8 * scale_, 1.5 * scale_);
+  }
   void paintNotMeasured() {
-    for (std::size_t i = 0; i < s_.track.size();) {
-      std::size_t end = i;
-      while (end < s_.track.size() && s_.track[end].count == 0) ++end;
-      if (end > i) {
-        const double half = 0.5 * binWidth();
-        paintHatch(painter_,
-                   QRectF(QPointF(x(s_.track[i].positionM - half), plot_.top()),
-                          QPointF(x(s_.track[end - 1].positionM + half), plot_.bottom())),
-                   palette_.invalid, 8 * scale_, 1.5 * scale_);
-      }
-      i = std::max(end, i + 1);
+    const double half = 0.5 * binWidth();
+    double measuredTo = 0;
+    for (const TrackBin& bin : s_.track) {
+      if (bin.count == 0) continue;
+      if (bin.positionM - half > measuredTo + 0.1 * half) hatch(measuredTo, bin.positionM - half);
+      measuredTo = bin.positionM + half;
     }
+    // The track ends with the last value: what follows was not measured either. The rail's end may cut a bin.
+    if (measuredTo + 2 * half < lengthM_) hatch(measuredTo, lengthM_);
     if (s_.values.count() > 0) return;
     painter_.setPen(palette_.invalid);
     painter_.setFont(typeface(kSmallPx * scale_, QFont::Medium));
