@@ -62,7 +62,7 @@ std::optional<double> crownY(const std::vector<OutlinePiece>& pieces, const std:
 }  // namespace
 
 Point2 OutlinePiece::at(double share) const {
-  const Point2 point = pointAt(base, share * length(base));
+  Point2 point = pointAt(base, share * length(base));
   if (!carried) return point;
   const double t = from + share * (to - from), t2 = t * t, t3 = t2 * t;
   return point + (2 * t3 - 3 * t2 + 1) * d0 + (t3 - 2 * t2 + t) * m0 + (3 * t2 - 2 * t3) * d1 + (t3 - t2) * m1;
@@ -102,11 +102,15 @@ Expected<void> OutlineShaper::findParts() {
     return *r - *l;
   };
   double thinnest = 1e9, first = 0, last = 0;
-  for (double y = low; y < high; y += 0.05)
+  constexpr double kStepMm = 0.05;
+  const int steps = static_cast<int>(std::ceil((high - low) / kStepMm));
+  for (int i = 0; i < steps; ++i) {
+    const double y = low + kStepMm * i;
     if (const auto t = thickness(y)) {
       if (*t < thinnest - 1e-6) thinnest = *t, first = y;
       if (*t < thinnest + 1e-6) last = y;
     }
+  }
   waistY_ = parameters_.wtHeightMm.value_or((first + last) / 2);
   for (Side* side : {&right_, &left_})
     for (const std::size_t i : walk(side->lowerFishing, side->upperFishing, side->sign)) {

@@ -126,6 +126,7 @@ Expected<void> readValue(Fault& fault, const FaultWord& word, std::optional<std:
 
 std::vector<std::pair<std::string, double>> list(const Effects& effects) {
   std::vector<std::pair<std::string, double>> out;
+  out.reserve(kEffects.size());
   for (const EffectWord& word : kEffects) out.emplace_back(word.name, effects.*word.value);
   return out;
 }

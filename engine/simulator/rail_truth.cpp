@@ -132,7 +132,10 @@ TruthGauge::TruthGauge(const Section& nominal, const DimensionParameters& parame
   double thinnest = 1e9, first = 0, last = 0;
   const double low = startPoint(section_.primitives[sides_[0].lowerFishing].shape).y();
   const double high = startPoint(section_.primitives[sides_[0].headSide].shape).y();
-  for (double y = low; y < high; y += 0.02) {
+  constexpr double kStepMm = 0.02;
+  const int steps = static_cast<int>(std::ceil((high - low) / kStepMm));
+  for (int i = 0; i < steps; ++i) {
+    const double y = low + kStepMm * i;
     const double t = lines.cross(sides_[0].web, kY, y) - lines.cross(sides_[1].web, kY, y);
     if (t < thinnest - 1e-5) thinnest = t, first = y;
     if (t < thinnest + 1e-5) last = y;
@@ -141,8 +144,9 @@ TruthGauge::TruthGauge(const Section& nominal, const DimensionParameters& parame
 
   const double axis = (edgeAtMidHeight(lines.of[sides_[0].edge]) + edgeAtMidHeight(lines.of[sides_[1].edge])) / 2 +
                       section_.axisFromFootMiddleMm;
-  for (double x = -std::floor(parameters_.hfHalfWidthMm.left); x <= parameters_.hfHalfWidthMm.right; x += 1)
-    places_.push_back(x);
+  const int leftmost = -static_cast<int>(std::floor(parameters_.hfHalfWidthMm.left));
+  const int rightmost = static_cast<int>(std::floor(parameters_.hfHalfWidthMm.right));
+  for (int x = leftmost; x <= rightmost; ++x) places_.push_back(x);
   const double summit = crownHeight(lines, axis);
   for (const double x : places_) nominalCrown_.push_back(crownHeight(lines, axis + x) - summit);
 }

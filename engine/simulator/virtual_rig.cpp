@@ -184,9 +184,9 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
                       "can be made only on a crown with one shoulder arc a side, not on this one (section " +
                           settings.section.name + "); leave it out");
   // Whatever the rail will look like must be an outline: tried here, where it can still be refused.
-  const double period = settings.varyDimensions ? 40000.0 : 0.0;
-  for (double at = 0; at <= period; at += 500)
-    if (auto displaced = models.front().shaper.displaced(law->at(at)); !displaced)
+  const int trials = settings.varyDimensions ? 80 : 1;
+  for (int i = 0; i < trials; ++i)
+    if (auto displaced = models.front().shaper.displaced(law->at(500.0 * i)); !displaced)
       return tl::unexpected<Error>(displaced.error());
 
   const Effects effects = settings.effects;

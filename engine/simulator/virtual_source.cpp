@@ -23,7 +23,7 @@ class BufferPool : public std::enable_shared_from_this<BufferPool> {
   BufferPool(std::size_t buffers, std::size_t bytes) : bytes_(bytes), free_(buffers) {}
 
   /// Waits until one is free, at most until `until`; null if it is not or if stopped.
-  std::shared_ptr<std::uint8_t[]> take(std::stop_token stop, std::optional<Clock::time_point> until) {
+  std::shared_ptr<std::uint8_t[]> take(const std::stop_token& stop, std::optional<Clock::time_point> until) {
     std::unique_lock lock(mutex_);
     const auto ready = [&] { return !free_.empty(); };
     const bool got = until ? returned_.wait_until(lock, stop, *until, ready) : returned_.wait(lock, stop, ready);
