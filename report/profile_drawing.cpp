@@ -222,7 +222,7 @@ void ProfilePainter::paintTolerance(std::size_t first, std::size_t count, const 
   const double upper = limits.upperMm.value_or(0) * share.share * drawing_.magnification;
   const double lower = limits.lowerMm.value_or(0) * share.share * drawing_.magnification;
   QPolygonF band, outer, inner;
-  band.reserve(static_cast<qsizetype>(2 * count));
+  band.reserve(2 * static_cast<qsizetype>(count));
   for (std::size_t i = first; i < first + count; ++i) {
     const OutlineBin& b = outline_.bins()[i];
     outer << frame_.map(b.point, b.normal, upper);
@@ -267,6 +267,7 @@ void ProfilePainter::paintWhiskers() {
 std::vector<Run> ProfilePainter::runs() const {
   const auto& bins = outline_.bins();
   const std::size_t n = bins.size();
+  if (n == 0) return {};
   std::size_t origin = 0;  // where the stretch changes, so that no run is cut in two
   for (std::size_t i = 0; i < n; ++i)
     if (!bins[i].corner && stretchOf(bins[i]) != stretchOf(bins[(i + n - 1) % n])) {

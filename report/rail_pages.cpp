@@ -155,8 +155,9 @@ class RailPages {
     const std::size_t rows = (kDimensionCount + 2) / 2;
     const double height = (area.bottom() - top) / static_cast<double>(rows), width = (area.width() - gap) / 2;
     for (std::size_t i = 0; i < kDimensionCount; ++i) {
-      const QRectF cell(area.left() + (i % 2 == 0 ? 0 : width + gap), top + static_cast<double>(i / 2) * height, width,
-                        height - 14);
+      const std::size_t row = i / 2;
+      const double x = area.left() + (i % 2 == 0 ? 0 : width + gap);
+      const QRectF cell(x, top + static_cast<double>(row) * height, width, height - 14);
       body();
       paintToleranceChart(*painter_, cell, report_.summary->dimensions[i], report_.summary->lengthM, palette_);
     }

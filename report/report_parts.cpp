@@ -4,6 +4,7 @@
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPen>
+#include <QTextOption>
 #include <QTimeZone>
 #include <algorithm>
 #include <cmath>
@@ -160,7 +161,7 @@ class TablePainter {
     painter_.setPen(palette_.t2);
     painter_.setFont(typeface(kTableHeadTextPx * scale_));
     eachColumn(area_.top(), kTableHeadPx * scale_, [&](const ColumnLayout& c, const QRectF& cell) {
-      painter_.drawText(cell, alignment(c.column), QLatin1String(c.head));
+      painter_.drawText(cell, QLatin1String(c.head), inCell(c.column));
     });
     double y = area_.top() + kTableHeadPx * scale_;
     for (const Dimension d : kDimensions) {
@@ -172,8 +173,11 @@ class TablePainter {
   }
 
  private:
-  static Qt::Alignment alignment(Column c) {
-    return Qt::AlignVCenter | (c == Column::State || c == Column::Name ? Qt::AlignLeft : Qt::AlignRight);
+  static QTextOption inCell(Column c) {
+    const bool left = c == Column::State || c == Column::Name;
+    QTextOption option(left ? Qt::AlignVCenter | Qt::AlignLeft : Qt::AlignVCenter | Qt::AlignRight);
+    option.setWrapMode(QTextOption::NoWrap);
+    return option;
   }
   template <typename Use>
   void eachColumn(double y, double height, Use use) const {
@@ -210,7 +214,7 @@ class TablePainter {
     if (column == Column::Name)
       drawDimensionName(painter_, QPointF(cell.left(), baseLine), s.dimension);
     else
-      painter_.drawText(cell, alignment(column), cellText(column, s));
+      painter_.drawText(cell, cellText(column, s), inCell(column));
   }
 
   QPainter& painter_;
@@ -275,8 +279,8 @@ void paintFacts(QPainter& painter, const QRectF& area, const std::vector<Fact>& 
   const double width = area.width() / static_cast<double>(perRow);
   const double height = area.height() / static_cast<double>(std::max<std::size_t>(1, rows));
   for (std::size_t i = 0; i < facts.size(); ++i) {
-    const QPointF at(area.left() + static_cast<double>(i % perRow) * width,
-                     area.top() + static_cast<double>(i / perRow) * height);
+    const std::size_t row = i / perRow, column = i % perRow;
+    const QPointF at(area.left() + static_cast<double>(column) * width, area.top() + static_cast<double>(row) * height);
     painter.setFont(typeface(14 * scale));
     painter.setPen(palette.t2);
     painter.drawText(at + QPointF(0, 14 * scale), facts[i].label);

@@ -97,11 +97,12 @@ class ChartPainter {
     const QFont small = typeface(kSmallPx * scale_);
     const QFontMetricsF metrics(small);
     painter_.setFont(small);
-    for (double m = 0; m <= lengthM_ * (1 + 1e-9); m += step) {
+    const int last = static_cast<int>(std::floor(lengthM_ / step * (1 + 1e-9)));
+    for (int tick = 0; tick <= last; ++tick) {
+      const double m = tick * step;
       painter_.setPen(QPen(palette_.line2, 1));
       painter_.drawLine(QPointF(x(m), plot_.top()), QPointF(x(m), plot_.bottom()));
-      const bool last = m + step > lengthM_ * (1 + 1e-9);
-      const QString text = last ? metresText(m) + QStringLiteral(" m") : metresText(m);
+      const QString text = tick == last ? metresText(m) + QStringLiteral(" m") : metresText(m);
       const double wide = metrics.horizontalAdvance(text);
       const double from = std::clamp(x(m) - wide / 2, plot_.left(), plot_.right() + kLimitsColumnPx * scale_ - wide);
       painter_.setPen(palette_.t3);
