@@ -177,7 +177,9 @@ Channel laserChannel(const std::uint8_t* rgb, int width, int height, std::ptrdif
     for (int y = kBeside; y < height - kBeside; y += 2) {
       const std::uint8_t* row = rgb + y * stride;
       for (int x = kBeside; x < width - kBeside; x += 2, ++looked) {
-        const auto at = [&](int dx, int dy) { return static_cast<int>(row[dy * stride + 3 * (x + dx) + c]); };
+        const auto at = [&](int dx, int dy) {
+          return static_cast<int>(row[dy * stride + std::ptrdiff_t{3} * (x + dx) + c]);
+        };
         const int across = std::min(at(0, 0) - at(-kBeside, 0), at(0, 0) - at(kBeside, 0));
         const int down = std::min(at(0, 0) - at(0, -kBeside), at(0, 0) - at(0, kBeside));
         const int out = std::max(across, down);
@@ -213,7 +215,7 @@ Expected<Picture> readPicture(const std::filesystem::path& file, Channel channel
     const auto* p = picture->ptr<std::uint8_t>(y);
     for (int x = 0; x < picture->cols; ++x, p += channels) rgb.insert(rgb.end(), {p[2], p[1], p[0]});
   }
-  return channelOf(*picture, laserChannel(rgb.data(), picture->cols, picture->rows, picture->cols * std::ptrdiff_t{3}));
+  return channelOf(*picture, laserChannel(rgb.data(), picture->cols, picture->rows, std::ptrdiff_t{3} * picture->cols));
 }
 
 }  // namespace vignole

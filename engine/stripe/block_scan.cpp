@@ -79,9 +79,11 @@ void BlockScan::sumBlocks(const ImageView& image) {
     if (r < wholeRows)
       sumBlockRow(pixels, image.stride, whole, sums);
     else
-      for (int c = 0; c < wholeColumns; ++c) sums[c] = cutBlockSum(pixels + c * kBlock, image.stride, kBlock, height);
+      for (std::ptrdiff_t c = 0; c < wholeColumns; ++c)
+        sums[c] = cutBlockSum(pixels + c * kBlock, image.stride, kBlock, height);
     if (wholeColumns < columns_)
-      sums[wholeColumns] = cutBlockSum(pixels + wholeColumns * kBlock, image.stride, width_ % kBlock, height);
+      sums[wholeColumns] = cutBlockSum(pixels + static_cast<std::ptrdiff_t>(wholeColumns) * kBlock, image.stride,
+                                       width_ % kBlock, height);
     if (r < wholeRows && r % sampling == sampling / 2) {  // while these pixels are in the nearest cache
       differences_.resize(differences_.size() + whole);
       sumBlockDifferences(pixels, image.stride, whole, differences_.data() + differences_.size() - whole);

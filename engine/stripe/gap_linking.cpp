@@ -109,10 +109,11 @@ void GapLinker::followChains(std::size_t pieces) {
   links_.clear();
   seen_.assign(pieces, 0);
   for (std::uint32_t p = 0; p < pieces; ++p) {
-    const bool freeBegin = partner_[2 * p] == kNone, freeStop = partner_[2 * p + 1] == kNone;
+    const std::uint32_t begin = 2 * p, stop = begin + 1;
+    const bool freeBegin = partner_[begin] == kNone, freeStop = partner_[stop] == kNone;
     if (seen_[p] != 0 || (!freeBegin && !freeStop)) continue;
     LineChain chain{static_cast<std::uint32_t>(links_.size()), 0};
-    for (std::uint32_t entry = freeBegin ? 2 * p : 2 * p + 1; entry != kNone; entry = partner_[entry ^ 1U]) {
+    for (std::uint32_t entry = freeBegin ? begin : stop; entry != kNone; entry = partner_[entry ^ 1U]) {
       seen_[entry / 2] = 1;
       links_.push_back({entry / 2, (entry & 1U) != 0});
     }

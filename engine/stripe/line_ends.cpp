@@ -29,7 +29,7 @@ float angleBetween(float ax, float ay, float bx, float by) { return std::atan2(a
 
 }  // namespace
 
-LineEnds::LineEnds() : band_(std::make_unique<RidgeBand>()), patch_((kPatch + 2) * (kPatch + 2)) {}
+LineEnds::LineEnds() : band_(std::make_unique<RidgeBand>()), patch_(std::size_t{kPatch + 2} * (kPatch + 2)) {}
 
 LineEnds::Trusted LineEnds::trustedPart(std::span<const RidgePoint> outwards) const {
   Trusted trusted;

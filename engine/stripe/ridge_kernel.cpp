@@ -114,7 +114,7 @@ HWY_INLINE std::size_t testPixels(const float* s, std::size_t width, int column,
 void smooth(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter, RidgeBand& band) {
   const int length = 2 * filter.radius + 1;
   const std::size_t lanes = hn::Lanes(kFloats);
-  const auto inner = static_cast<std::size_t>(width), outer = static_cast<std::size_t>(width + length + 1);
+  const auto inner = static_cast<std::size_t>(width), outer = inner + static_cast<std::size_t>(length) + 1;
   for (std::size_t i = 0; i < outer; i += lanes) smoothColumns(pixels, stride, filter.taps.data(), length, i, band);
   for (std::size_t i = 0; i < inner + 2; i += lanes) smoothRows(filter.taps.data(), length, i, band);
 }
@@ -154,7 +154,8 @@ RidgeFilter ridgeFilter(double sigma, double leastRidge) {
   std::array<double, 2 * kMaxFilterRadius + 1> taps{};
   for (int k = -filter.radius; k <= filter.radius; ++k) {
     const double tap = below(k + 0.5) - below(k - 0.5);
-    taps[static_cast<std::size_t>(k + filter.radius)] = tap;
+    const int index = k + filter.radius;
+    taps[static_cast<std::size_t>(index)] = tap;
     sum += tap;
     squares += tap * k * k;
   }

@@ -6,11 +6,23 @@ namespace vignole {
 
 RidgePoints::RidgePoints() : band_(std::make_unique<RidgeBand>()) {}
 
+namespace {
+
+std::size_t pixelOfTile(int column, int row) {
+  const int pixel = (row % kBlock) * kBlock + column % kBlock;
+  return static_cast<std::size_t>(pixel);
+}
+
+}  // namespace
+
+std::uint16_t RidgePoints::tileAt(int column, int row) const {
+  const int block = (row / kBlock) * columns_ + column / kBlock;
+  return tileOfBlock_[static_cast<std::size_t>(block)];
+}
+
 int RidgePoints::indexAt(int column, int row) const {
   if (column < 0 || row < 0 || column >= width_ || row >= height_) return -1;
-  const auto block = static_cast<std::size_t>((row / kBlock) * columns_ + column / kBlock);
-  const auto pixel = static_cast<std::size_t>((row % kBlock) * kBlock + column % kBlock);
-  return static_cast<int>(tiles_[tileOfBlock_[block]][pixel]) - 1;
+  return static_cast<int>(tiles_[tileAt(column, row)][pixelOfTile(column, row)]) - 1;
 }
 
 void RidgePoints::findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width) {
@@ -18,9 +30,7 @@ void RidgePoints::findInBand(const ImageView& image, const RidgeFilter& filter, 
   for (const RidgePoint& p : findRidgePoints(pixels, stride, width, column, row, filter, *band_)) {
     if (p.column >= image.width || p.row >= image.height) continue;  // of a block that the edge cuts
     points_.push_back(p);
-    const auto block = static_cast<std::size_t>((p.row / kBlock) * columns_ + p.column / kBlock);
-    const auto pixel = static_cast<std::size_t>((p.row % kBlock) * kBlock + p.column % kBlock);
-    tiles_[tileOfBlock_[block]][pixel] = static_cast<std::uint32_t>(points_.size());
+    tiles_[tileAt(p.column, p.row)][pixelOfTile(p.column, p.row)] = static_cast<std::uint32_t>(points_.size());
   }
 }
 

@@ -27,6 +27,7 @@ class RidgePoints {
  private:
   static constexpr std::size_t kTilePixels = static_cast<std::size_t>(kBlock) * kBlock;
   using Tile = std::array<std::uint32_t, kTilePixels>;  // index + 1, 0 is no point
+  [[nodiscard]] std::uint16_t tileAt(int column, int row) const;
   void findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width);
 
   int width_ = 0, height_ = 0, columns_ = 0;

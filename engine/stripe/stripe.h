@@ -53,6 +53,9 @@ struct StripeResult {
   float saturatedShare = 0;  ///< share of the line's points that are saturated
   /// Number of neighbouring points over which the error of a point is correlated after smoothing (>= 1).
   float correlatedPoints = 1;
+  /// Standard deviation of the smoothing along the line: it pulls the centre to the inside of a bend by
+  /// smoothingPx^2 / 2 * curvature (stripe design, section 5). Not removed here.
+  float smoothingPx = 0;
   bool overloaded = false;  ///< texture everywhere: capped by StripeSettings::maxBlocks
 };
 

@@ -229,6 +229,7 @@ void StripeExtractor::Impl::write(StripeResult& result) const {
   const double spacing = steps == 0 ? 1 : std::max(0.5, static_cast<double>(length) / static_cast<double>(steps));
   result.correlatedPoints =
       static_cast<float>(std::max(1.0, 2 * std::sqrt(std::numbers::pi) * settings.sigma / spacing));
+  result.smoothingPx = static_cast<float>(settings.sigma);
   result.overloaded = scan.overloaded();
 }
 

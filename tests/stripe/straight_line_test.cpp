@@ -51,7 +51,8 @@ TEST_P(EveryAngle, CentreNormalStrengthAndWidth) {
       EXPECT_NEAR(p.widthPx, 3, 0.06);
     }
     EXPECT_GT(body, 100);
-    EXPECT_LT(std::sqrt(squares / body), 0.003) << "offset " << offset;
+    // Rounding to whole DN repeats along lines at 0, 45 and 90 degrees: 0.29 / 150 * 1.84 = 0.0036 px (1 sd).
+    EXPECT_LT(std::sqrt(squares / body), 0.006) << "offset " << offset;
     // In order: the way along the points is hardly longer than from the first to the last.
     const StripePoint &a = result.points.front(), &b = result.points.back();
     EXPECT_LT(way, 1.01F * std::hypot(b.x - a.x, b.y - a.y) + 1);
