@@ -14,7 +14,7 @@ constexpr int kSoftRounds = 6;
 constexpr int kHardRounds = 3;
 constexpr std::size_t kSoftPoints = 120;
 constexpr double kSettledMm = 2e-3;  // a step this small: on to the last rounds
-constexpr std::size_t kScaleSamples = 101;
+constexpr std::size_t kScaleSamples = 63;
 
 /// Weight of a residual whose square, in variances, is z2.
 double robustWeight(double z2, double cut2, bool hard) {
@@ -34,18 +34,28 @@ struct Distance {
   double r = 0, nx = 0, ny = 0, perCurvature = 0, dx = 0, dy = 0;
 };
 
-/// Signed distance to the left of the piece's carrier, its normal and its slope with the curvature (curve_piece.h).
-Distance distanceTo(const CurvePiece<double>& p, double x, double y) {
+/// Signed distance to the left of the piece's carrier, less what the line filter did; its normal and its slope with the
+/// curvature (curve_piece.h).
+inline Distance distanceTo(const CurvePiece<double>& p, const FitPoint& point) {
   Distance d;
-  d.dx = x - p.origin.x;
-  d.dy = y - p.origin.y;
+  d.dx = point.x - p.origin.x;
+  d.dy = point.y - p.origin.y;
   const double k = p.curvature, across = p.tangent.x * d.dy - p.tangent.y * d.dx, squared = d.dx * d.dx + d.dy * d.dy;
+  if (k == 0) {  // most primitives: no root, no quotient
+    d.r = across;
+    d.nx = -p.tangent.y;
+    d.ny = p.tangent.x;
+    d.perCurvature = (across * across - squared) / 2 - point.pullMm2;
+    return d;
+  }
   const double f = across - 0.5 * k * squared;
   const double root = std::sqrt(std::max(1e-12, 1 - 2 * k * f));
-  d.r = 2 * f / (1 + root);
-  d.nx = (-p.tangent.y - k * d.dx) / root;
-  d.ny = (p.tangent.x - k * d.dy) / root;
-  d.perCurvature = (d.r * d.r - squared) / (2 * root);
+  const double left = 2 * f / (1 + root);
+  d.r = left - point.pullMm2 * k;
+  const double perRoot = 1 / root;
+  d.nx = (-p.tangent.y - k * d.dx) * perRoot;
+  d.ny = (p.tangent.x - k * d.dy) * perRoot;
+  d.perCurvature = 0.5 * (left * left - squared) * perRoot - point.pullMm2;
   return d;
 }
 
@@ -176,7 +186,7 @@ double ChainFit::robustScale() {
   const std::size_t stride = points_.size() / kScaleSamples + 1;
   for (std::size_t i = stride / 2; i < points_.size(); i += stride) {
     const FitPoint& p = points_[i];
-    sorted_.push_back(std::abs(distanceTo(plain_[pieceAt(p.x, p.y)], p.x, p.y).r) * std::sqrt(p.weight));
+    sorted_.push_back(std::abs(distanceTo(plain_[pieceAt(p.x, p.y)], p).r) * std::sqrt(p.weight));
   }
   return medianScale(sorted_);
 }
@@ -189,7 +199,7 @@ double ChainFit::accumulate(double cut, bool hard, std::size_t stride, UnknownMa
   for (std::size_t i = 0; i < points_.size(); i += stride) {
     const FitPoint& p = points_[i];
     const std::size_t k = pieceAt(p.x, p.y);
-    const Distance d = distanceTo(plain_[k], p.x, p.y);
+    const Distance d = distanceTo(plain_[k], p);
     const double z2 = d.r * d.r * p.weight, w = robustWeight(z2, cut * cut, hard);
     if (w == 0) continue;
     const Eigen::Vector4d j(-d.nx, -d.ny, d.nx * d.dy - d.ny * d.dx, d.perCurvature);

@@ -83,7 +83,7 @@ void PrimitiveFits::gather(const Profile& profile, const Registration& registrat
     const double sigma = p.sigmaMm > 0 ? p.sigmaMm : kFallbackSigmaMm;
     Assigned a;
     a.point = {c * p.x - s * p.y + t.xMm, s * p.x + c * p.y + t.yMm, 1 / (sigma * sigma),
-               static_cast<std::uint8_t>(p.camera % kCameraCount)};
+               0.5 * p.smoothingMm * p.smoothingMm, static_cast<std::uint8_t>(p.camera % kCameraCount)};
     a.primitive = static_cast<std::uint16_t>(k);
     const double dx = a.point.x - b.start.x(), dy = a.point.y - b.start.y();
     a.alongMm = static_cast<float>(dx * b.chord.x() + dy * b.chord.y());

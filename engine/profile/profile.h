@@ -18,6 +18,9 @@ struct ProfilePoint {
   float strength = 0;      ///< contrast of the line, DN
   std::uint8_t camera = 0;
   std::uint8_t flags = 0;  ///< StripeFlag
+  /// StripeResult::smoothingPx along the contour, in mm: the point lies smoothingMm^2 / 2 * curvature too far inside a
+  /// bend. 0: nothing to take off.
+  float smoothingMm = 0;
 };
 
 /// What one camera contributes, or why it contributes nothing.

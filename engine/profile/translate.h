@@ -42,7 +42,8 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
       if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
       result.points.push_back({w.x, w.y, static_cast<float>(-wty / stretch), static_cast<float>(wtx / stretch),
                                static_cast<float>(static_cast<double>(p.sigmaPx) * std::abs(determinant) / stretch),
-                               p.strength, static_cast<std::uint8_t>(camera), p.flags});
+                               p.strength, static_cast<std::uint8_t>(camera), p.flags,
+                               stripe.smoothingPx * static_cast<float>(stretch)});
     }
     const auto end = static_cast<std::uint32_t>(result.points.size());
     if (end > (result.lineEnds.empty() ? 0U : result.lineEnds.back())) result.lineEnds.push_back(end);
