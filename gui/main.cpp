@@ -1,9 +1,12 @@
 // vignole: the HMI. Composition root: makes the line, hands it to the window, sets theme and fonts.
 
 #include <QApplication>
+#include <QDir>
+#include <QFile>
 #include <QSaveFile>
 #include <QTimer>
 #include <cstdio>
+#include <unistd.h>
 
 #include "gui/bridge/self_test.h"
 #include "gui/bridge/virtual_line.h"
@@ -43,6 +46,14 @@ Expected<void> savePicture(QWidget& window, const std::string& file) {
   if (!out.open(QIODevice::WriteOnly) || !window.grab().save(&out, "PNG") || !out.commit())
     return worldError(file, "cannot be written: " + out.errorString().toStdString());
   return {};
+}
+
+/// Qt would write a warning of its own where a service or a container has no session.
+void provideRuntimeDirectory() {
+  if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
+  const QString folder = QDir::tempPath() + QStringLiteral("/vignole-runtime-%1").arg(getuid());
+  if (QDir().mkpath(folder) && QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner))
+    qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
 }
 
 int run(QApplication& app, const Options& options) {
@@ -92,6 +103,7 @@ int main(int argc, char** argv) {
     return outcome.exitCode;
   }
   if (auto platform = choosePlatform(*outcome.options); !platform) return fail(platform.error());
+  provideRuntimeDirectory();
   int qtArgc = 1;  // the command line is ours; Qt's own options come from its environment variables
   QApplication app(qtArgc, argv);
   QApplication::setApplicationName(QStringLiteral("vignole"));

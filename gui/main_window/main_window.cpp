@@ -48,6 +48,7 @@ MainWindow::MainWindow(Line& line, Theme& theme, Clock clock) : line_(line), the
   connect(monitor_, &MonitorPage::pipelineShownChanged, this, [this] { tick(PullDetail::Everything); });
   connect(monitor_, &MonitorPage::fullViewChanged, pages_, &PageBar::setFullView);
   bindKeys();
+  monitor_->setFocus();  // no control looks pressed before a key has been
 
   ticks_.setInterval(kTickMs);
   ticks_.setTimerType(Qt::PreciseTimer);

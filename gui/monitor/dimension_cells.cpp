@@ -1,5 +1,6 @@
 #include "gui/monitor/dimension_cells.h"
 
+#include <QAbstractItemView>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -71,12 +72,16 @@ void DimensionCells::paintGround(QPainter& painter, const QRectF& box, const Dim
   painter.fillRect(QRectF(box.left(), box.bottom() - 1, box.width(), 1), p.line2);
   const bool first = index.column() == 0;
   if (first && strong.isValid()) painter.fillRect(QRectF(box.left(), box.top(), 6, box.height() - 1), strong);
-  if (!(option.state & QStyle::State_Selected)) return;
-  const bool last = box.right() >= option.widget->property("contentRight").toDouble() - 1;
-  painter.fillRect(QRectF(box.left(), box.top(), box.width(), 2), p.accent);
-  painter.fillRect(QRectF(box.left(), box.bottom() - 2, box.width(), 2), p.accent);
-  if (first) painter.fillRect(QRectF(box.left(), box.top(), 2, box.height()), p.accent);
-  if (last) painter.fillRect(QRectF(box.right() - 2, box.top(), 2, box.height()), p.accent);
+  const auto* table = qobject_cast<const QAbstractItemView*>(option.widget);
+  const bool selected = (option.state & QStyle::State_Selected) != 0;
+  const bool focused = table && table->hasFocus() && table->currentIndex().row() == index.row();
+  if (!selected && !focused) return;
+  const double line = selected ? 2 : 1;
+  const bool last = box.right() >= table->viewport()->width() - 1;
+  painter.fillRect(QRectF(box.left(), box.top(), box.width(), line), p.accent);
+  painter.fillRect(QRectF(box.left(), box.bottom() - line, box.width(), line), p.accent);
+  if (first) painter.fillRect(QRectF(box.left(), box.top(), line, box.height()), p.accent);
+  if (last) painter.fillRect(QRectF(box.right() - line, box.top(), line, box.height()), p.accent);
 }
 
 void DimensionCells::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -94,7 +99,9 @@ void DimensionCells::paint(QPainter* painter, const QStyleOptionViewItem& option
   painter->setPen(row.held || row.waiting ? p.t3 : p.t1);
   switch (index.column()) {
     case DimensionModel::State: {
-      const double side = std::min(28.0, box.height() * 0.68);
+      // Good is small and quiet, what is abnormal has the full size.
+      const bool calm = row.symbol == StateSymbol::Good || row.symbol == StateSymbol::NoLimit;
+      const double side = std::min(calm ? 19.0 : 28.0, box.height() * 0.68);
       if (!row.waiting)
         paintSymbol(*painter, QRectF(box.left() + kEdge + (28 - side) / 2, box.center().y() - side / 2, side, side),
                     row.symbol, p);
@@ -266,7 +273,10 @@ void DimensionHeads::paintSection(QPainter* painter, const QRect& rect, int logi
   painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), p.line2);
   painter->setPen(p.t3);
   painter->setFont(uiFont(14));
-  const double left = logicalIndex == DimensionModel::State ? kEdge : logicalIndex == DimensionModel::Name ? 0 : 6;
+  const double left = logicalIndex == DimensionModel::State  ? kEdge
+                      : logicalIndex == DimensionModel::Name ? 0
+                      : logicalIndex == DimensionModel::Bar  ? 18
+                                                             : 6;
   const QString text = model()->headerData(logicalIndex, Qt::Horizontal).toString();
   if (rightAligned(logicalIndex))
     painter->drawText(QRectF(rect), Qt::AlignRight | Qt::AlignVCenter, text);

@@ -60,7 +60,8 @@ void DimensionTable::mousePressEvent(QMouseEvent* event) {
 
 void DimensionTable::focusInEvent(QFocusEvent* event) {
   QTableView::focusInEvent(event);
-  if (!currentIndex().isValid()) setCurrentIndex(model_->index(0, 0));
+  // The ring shows where the arrow keys start; only they or Space choose.
+  if (!currentIndex().isValid()) selectionModel()->setCurrentIndex(model_->index(0, 0), QItemSelectionModel::NoUpdate);
 }
 
 void DimensionTable::spanReasons() {
@@ -78,7 +79,6 @@ void DimensionTable::resizeEvent(QResizeEvent* event) {
 
 void DimensionTable::layOutColumns() {
   const int width = viewport()->width();
-  setProperty("contentRight", width);
   const bool track = width >= kWidthWithTrack, uncertainty = width >= kWidthWithUncertainty;
   setColumnHidden(DimensionModel::Track, !track);
   setColumnHidden(DimensionModel::Uncertainty, !uncertainty);

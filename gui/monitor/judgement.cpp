@@ -200,7 +200,7 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
                       .arg(kCameraCount - static_cast<int>(lost))
                       .arg(kCameraCount)
                       .arg(QString::number(line.profilesPerS, 'f', 1));
-  trust.provenance = QStringLiteral("calibration: %1").arg(QString::fromStdString(line.calibrationMethod));
+  trust.provenance = QStringLiteral("calibration %1").arg(QString::fromStdString(line.calibrationMethod));
   const bool running = line.state == LineState::Measuring || line.state == LineState::Armed;
   if (lost > 0 || line.state == LineState::Fault || line.state == LineState::Silent) {
     trust.symbol = StateSymbol::NotMeasured;
@@ -213,7 +213,7 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
     trust.symbol = StateSymbol::Near;
     trust.word = QStringLiteral("Degraded");
     trust.provenance =
-        QStringLiteral("%1 of %2 triggers incomplete").arg(count(line.recentIncomplete), count(line.rail->profiles));
+        QStringLiteral("%1 of %2 incomplete").arg(count(line.recentIncomplete), count(line.rail->profiles));
   } else {
     trust.symbol = StateSymbol::Good;
     trust.word = QStringLiteral("Trusted");
@@ -262,7 +262,7 @@ std::optional<Alarm> highestAlarm(const LineSnapshot& line) {
         most = n;
         worst = reason;
       }
-    return Alarm{3, QStringLiteral("Incomplete profiles: %1").arg(trust.provenance),
+    return Alarm{3, QStringLiteral("Profiles are missing: %1").arg(trust.provenance),
                  worst.empty() ? QStringLiteral("Look at Pipeline (H).")
                                : QStringLiteral("Most often %1.").arg(QString::fromStdString(worst))};
   }

@@ -75,6 +75,7 @@ MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* pare
   frame->addWidget(table_);
   lastRails_ = new LastRails(theme, this);
   QWidget::setTabOrder(byCamera_, table_);
+  setFocusPolicy(Qt::ClickFocus);  // a press on no control takes the focus ring off the last one
 
   connect(table_, &DimensionTable::chosenChanged, this, [this] { pointAtDimension(nullptr); });
   connect(&theme_, &Theme::changed, this, [this] {
@@ -98,6 +99,7 @@ QWidget* MonitorPage::makeToolbar() {
   for (const auto& [word, view] : views) {
     auto* button = new QPushButton(word, bar);
     button->setCheckable(true);
+    button->setObjectName(QStringLiteral("segment"));
     button->setFont(uiFont(16, 500));
     const int key = static_cast<int>(view) + 1;
     button->setAccessibleName(tr("View: %1").arg(word.toLower()));
@@ -114,6 +116,8 @@ QWidget* MonitorPage::makeToolbar() {
   less_->setAccessibleName(tr("Magnify deviations less"));
   less_->setToolTip(tr("Magnify deviations less (−)"));
   magnificationLabel_ = new QLabel(bar);
+  magnificationLabel_->setObjectName(QStringLiteral("magnification"));
+  magnificationLabel_->setFixedHeight(44);
   magnificationLabel_->setFont(uiFont(18, 500));
   magnificationLabel_->setAlignment(Qt::AlignCenter);
   magnificationLabel_->setFixedWidth(64);
@@ -124,6 +128,7 @@ QWidget* MonitorPage::makeToolbar() {
   more_->setToolTip(tr("Magnify deviations more (+)"));
   for (QWidget* w : std::initializer_list<QWidget*>{less_, magnificationLabel_, more_}) row->addWidget(w);
   for (QPushButton* b : {less_, more_}) {
+    b->setObjectName(QStringLiteral("segment"));
     b->setFixedWidth(48);
     b->setIconSize({20, 20});
   }
@@ -240,6 +245,7 @@ void MonitorPage::layOut() {
   strips_[1]->setVisible(twoStrips);
   const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
+  for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 64 : 84);
   drawingPanel_->setGeometry(hero);
   pipeline_->setGeometry(hero);
   int y = hero.bottom() + 1 + gap;

@@ -29,9 +29,8 @@ StripChart::StripChart(const Theme& theme, QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->setInteractions(QCP::iNone);
-  plot_->axisRect()->setupFullAxesBox(false);
   plot_->axisRect()->setAutoMargins(QCP::msNone);
-  plot_->axisRect()->setMargins(QMargins(6, 0, 16, 22));
+  plot_->axisRect()->setMargins(QMargins(6, 0, 26, 22));
   plot_->yAxis->setVisible(false);
   plot_->yAxis->grid()->setVisible(false);
   belowLower_ = new QCPItemRect(plot_);
@@ -157,7 +156,7 @@ void StripChart::refreshLimits() {
   if (series_.upperMm) {
     limitText_->setText(shortSigned(*series_.upperMm - series_.nominalMm));
     limitText_->position->setTypeY(QCPItemPosition::ptPlotCoords);
-    limitText_->position->setCoords(0.995, *series_.upperMm);
+    limitText_->position->setCoords(0.99, *series_.upperMm);
   }
   cursor_->setVisible(series_.positionM > 0);
   cursor_->start->setCoords(series_.positionM, y.lower);

@@ -39,13 +39,19 @@ QString Theme::styleSheet() const {
     QToolTip { background: @panel2; color: @t1; border: 1px solid @line; padding: 6px; }
     QFrame#panel { background: @panel; border: 1px solid @line; border-radius: 4px; }
     QFrame#plotPanel { background: @panel2; border: 1px solid @line; border-radius: 4px; }
-    QPushButton { background: @panel2; color: @t1; border: 1px solid @line; border-radius: 3px; padding: 0 13px;
+    QPushButton { background: @panel2; color: @t1; border: 1px solid @line; border-radius: 3px; padding: 1px 13px;
                   min-height: 40px; }
     QPushButton:hover { border-color: @t3; }
     QPushButton:pressed { background: @accsoft; }
-    QPushButton:checked { background: @accsoft; border: 2px solid @accent; padding: 0 12px; }
-    QPushButton:focus { border: 2px solid @accent; padding: 0 12px; }
+    QPushButton:checked, QPushButton:focus { border: 2px solid @accent; padding: 0 12px; }
+    QPushButton:checked { background: @accsoft; }
+    QPushButton:checked:focus { border: 3px solid @accent; padding: 0 11px; min-height: 38px; }
     QPushButton:disabled { color: @t3; }
+    QPushButton#segment { color: @t2; padding: 1px 5px; }
+    QPushButton#segment:checked { color: @t1; }
+    QPushButton#segment:checked, QPushButton#segment:focus { padding: 0 4px; }
+    QPushButton#segment:checked:focus { padding: 0 3px; }
+    QLabel#magnification { background: @panel2; border-top: 1px solid @line; border-bottom: 1px solid @line; }
     QFrame#pageBar { background: @head; }
     QFrame#pageBar QPushButton { background: @head; color: @t2; border: 0; border-radius: 0; text-align: left;
                                  padding: 0 14px; border-top: 4px solid @head; border-right: 1px solid @line; }
