@@ -7,6 +7,8 @@
 
 namespace vignole {
 
+constexpr double kTellApart = 2.5;  // below, noise may have picked the extreme
+
 ExtremeError::ExtremeError() {
   // std::normal_distribution differs between libraries: Box-Muller on the generator, whose sequence is standard.
   std::mt19937_64 random(20240229);
@@ -35,7 +37,7 @@ void ExtremeError::consider(const GlobalDual& place, double sign) {
   const GlobalDual difference = places_.front() - place;
   const double u = std::sqrt(std::max(0.0, fits_->variance(difference)));
   const bool same = u < 1e-9 && std::abs(difference.value) < 1e-9;
-  if (!same && sign * difference.value < 2 * u) places_.push_back(place);
+  if (!same && sign * difference.value < kTellApart * u) places_.push_back(place);
 }
 
 double ExtremeError::meanSquareError() const {

@@ -13,7 +13,8 @@ class ExtremeError {
  public:
   ExtremeError();
   void begin(const GlobalDual& extreme, const PrimitiveFits& fits);
-  /// Counts a place in if it lies within twice the uncertainty of its difference from the extreme; sign +1: maximum.
+  /// Counts a place in if it lies within 2.5 standard uncertainties of its difference from the extreme; sign +1:
+  /// maximum.
   void consider(const GlobalDual& place, double sign);
   /// E[(max of the errors of all places)^2], by fixed normal deviates: the same input, the same bits.
   [[nodiscard]] double meanSquareError() const;

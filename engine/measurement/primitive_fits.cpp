@@ -15,6 +15,13 @@ constexpr int kLongFitPoints = 30;  // a fit with so many points says how the po
 constexpr double kPointsPerAbsorbed = 4;
 constexpr double kMisfit = 4;  // a fit that scatters so much more than the others is judged by itself
 
+/// By how much shared errors raise the variance of a mean over n points: c for long runs, less where the run is hardly
+/// longer than what is shared (exact for errors that are a moving average over c points).
+double sharedBy(double correlatedPoints, int n) {
+  const double c = correlatedPoints;
+  return std::max(1.0, c - (c * c - 1) / (3.0 * std::max(1, n)));
+}
+
 template <typename Local>
 GlobalDual lifted(const Local& local, std::size_t base, std::size_t count) {
   GlobalDual global(local.value);
@@ -243,7 +250,7 @@ void PrimitiveFits::pool(double correlatedPoints) {
     factor /= std::max(1, s.total());
     if (isLong(*b.solution) && reduced(*b.solution) > kMisfit * std::max(1.0, usual))
       factor = std::max(factor, reduced(*b.solution));
-    b.factor = factor * correlatedPoints;
+    b.factor = factor * sharedBy(correlatedPoints, s.total());
   }
 }
 

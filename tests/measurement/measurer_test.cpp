@@ -264,6 +264,7 @@ void monteCarlo(const char* rail, double correlated, double understated, double 
     EXPECT_LT(mean, high) << vignole::name(d);
     std::printf("%s %.3f  ", std::string(vignole::name(d)).c_str(), mean);
   }
+  EXPECT_NEAR(sumMin / kTrials, 1, 0.25) << "HF_min";
   std::printf("HF_min %.3f\n", sumMin / kTrials);
 }
 
