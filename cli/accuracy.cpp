@@ -10,6 +10,8 @@ void DimensionAccuracy::add(double errorMm, double uMm) {
   sum_ += errorMm;
   sum2_ += errorMm * errorMm;
   max_ = std::max(max_, std::abs(errorMm));
+  if (!(uMm > 0)) return;
+  ++countWithU_;
   sumOverU_ += (errorMm / uMm) * (errorMm / uMm);
 }
 

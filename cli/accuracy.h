@@ -2,6 +2,7 @@
 // How far the measured dimensions are from the truth of the virtual rig, over single profiles.
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/measurement/measurement.h"
 #include "engine/simulator/virtual_rig.h"
@@ -16,11 +17,15 @@ class DimensionAccuracy {
   [[nodiscard]] double biasMm() const { return sum_ / static_cast<double>(count_); }
   [[nodiscard]] double rmsMm() const;
   [[nodiscard]] double maxMm() const { return max_; }
-  /// 1 if the stated uncertainties are right.
-  [[nodiscard]] double meanSquareErrorOverU() const { return sumOverU_ / static_cast<double>(count_); }
+  /// 1 if the stated uncertainties are right. Over the profiles that state one: HF is exactly 0 +- 0 where the whole
+  /// crown lies below the nominal one. Empty if none does.
+  [[nodiscard]] std::optional<double> meanSquareErrorOverU() const {
+    if (countWithU_ == 0) return {};
+    return sumOverU_ / static_cast<double>(countWithU_);
+  }
 
  private:
-  std::uint64_t count_ = 0;
+  std::uint64_t count_ = 0, countWithU_ = 0;
   double sum_ = 0, sum2_ = 0, max_ = 0, sumOverU_ = 0;
 };
 

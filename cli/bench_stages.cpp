@@ -149,7 +149,7 @@ void benchMeasure(const BenchMaterial& material, std::vector<BenchSeries>& resul
   Registration registration;
   Measurement measurement;
   for (const Profile& profile : material.profiles) {
-    registrar.registerProfile(profile.points, registration);
+    registrar.registerProfile(profile.points, registration, {}, static_cast<double>(profile.correlatedPoints));
     measurer.measure(profile, registration, {}, measurement);
     for (int round = 0; round < kRounds; ++round) {
       const StopWatch watch;

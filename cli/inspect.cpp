@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -18,6 +19,8 @@
 #include "cli/interruption.h"
 #include "cli/report_files.h"
 #include "engine/files/atomic_file.h"
+#include "engine/rail/catalogue.h"
+#include "engine/registration/registration.h"
 #include "engine/simulator/virtual_rig.h"
 
 namespace vignole::cli {
@@ -127,6 +130,20 @@ double severity(const Measurement& measurement) {
   return worst;
 }
 
+/// Whether another section of the catalogue fits a profile clearly better than the recipe's.
+std::optional<OtherRail> findOtherRail(const std::vector<ProfilePoint>& points, const Recipe& recipe) {
+  constexpr double kClearly = 0.5;
+  std::vector<Section> sections = {recipe.section};
+  for (const std::string& rail : catalogueNames())
+    if (auto section = findSection(rail); section && section->name != recipe.section.name)
+      sections.push_back(std::move(*section));
+  const auto matches = bestMatch(points, sections, recipe.registration);
+  const auto own =
+      std::find_if(matches.begin(), matches.end(), [&](const RailMatch& m) { return m.rail == recipe.section.name; });
+  if (own == matches.end() || !(matches.front().chi2 < kClearly * own->chi2)) return {};
+  return OtherRail{matches.front().rail, matches.front().chi2, own->chi2};
+}
+
 /// Takes what the inspection tells, on its last stage's thread; read after the end.
 class Collector {
  public:
@@ -158,6 +175,9 @@ class Collector {
 
   std::vector<InspectedRail> rails;
   std::vector<std::optional<ProfileResult>> examples;  ///< one a rail: the profile that is furthest out
+  /// A complete profile of the first rail and of some that did not pass, with the rail's number: they may be of another
+  /// section than the recipe's.
+  std::vector<std::pair<std::size_t, std::vector<ProfilePoint>>> samples;
   std::uint64_t profiles = 0, registered = 0;
   Accuracy accuracy;
   std::string error, whyNotRegistered;
@@ -166,9 +186,12 @@ class Collector {
   Expected<void> closeCsv() { return csv_ ? csv_->commit() : Expected<void>{}; }
 
  private:
+  static constexpr std::size_t kMaxSamples = 8;
+
   void begin(const RailBegin& rail) {
     summariser_.emplace(rail, recipe_, calibration_.id);
     example_.reset();
+    sample_.clear();
     severity_ = -1;
     profileOfRail_ = 0;
   }
@@ -178,6 +201,7 @@ class Collector {
     summariser_->add(result);
     if (csv_) csv_->write(csvRow(result, profileOfRail_));
     ++profileOfRail_;
+    if (sample_.empty() && result.profile.complete()) sample_ = result.profile.points;
     if (result.registration.valid) {
       ++registered;
       accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
@@ -192,7 +216,9 @@ class Collector {
   }
 
   void end(const TriggerLedger& ledger) {
-    rails.push_back({summariser_->summary(ledger), recipe_.section.name});
+    rails.push_back({summariser_->summary(ledger), recipe_.section.name, {}});
+    const bool doubtful = rails.size() == 1 || rails.back().summary.verdict != Verdict::Pass;
+    if (doubtful && !sample_.empty() && samples.size() < kMaxSamples) samples.emplace_back(rails.size() - 1, sample_);
     examples.push_back(std::move(example_));
     example_.reset();
   }
@@ -213,6 +239,7 @@ class Collector {
   double profilesExpected_;
   std::optional<RailSummariser> summariser_;
   std::optional<ProfileResult> example_;
+  std::vector<ProfilePoint> sample_;  ///< of the rail's first complete profile
   double severity_ = -1;
   std::uint64_t profileOfRail_ = 0;
   std::mutex mutex_;
@@ -340,6 +367,7 @@ int inspect(const Options& o) {
     outcome.stages = inspection.stages();
   }
   progress.reset();
+  for (const auto& [rail, points] : collected.samples) collected.rails[rail].otherRail = findOtherRail(points, *recipe);
   outcome.rails = collected.rails;
   outcome.profiles = collected.profiles;
   outcome.calibrationId = calibration.id;

@@ -50,15 +50,20 @@ Json toJson(const InspectedRail& rail) {
   const RailSummary& s = rail.summary;
   Json dimensions = Json::array();
   for (const DimensionSummary& d : s.dimensions) dimensions.push_back(toJson(d));
-  return {{"id", s.rail.id},
-          {"heat", s.rail.heat},
-          {"section", rail.section},
-          {"recipe", s.recipe},
-          {"length_m", s.lengthM},
-          {"profiles", s.profiles},
-          {"verdict", name(s.verdict)},
-          {"dimensions", dimensions},
-          {"triggers", toJson(s.triggers)}};
+  Json json = {{"id", s.rail.id},
+               {"heat", s.rail.heat},
+               {"section", rail.section},
+               {"recipe", s.recipe},
+               {"length_m", s.lengthM},
+               {"profiles", s.profiles},
+               {"verdict", name(s.verdict)},
+               {"dimensions", dimensions},
+               {"triggers", toJson(s.triggers)}};
+  if (rail.otherRail)
+    json["looks_like"] = {{"section", rail.otherRail->section},
+                          {"chi2", rail.otherRail->chi2},
+                          {"chi2_of_recipe", rail.otherRail->chi2OfRecipe}};
+  return json;
 }
 
 Json toJson(const StageStatistics& s) {
@@ -83,7 +88,7 @@ Json toJson(const Accuracy& accuracy) {
                           {"bias_mm", a.biasMm()},
                           {"rms_mm", a.rmsMm()},
                           {"max_mm", a.maxMm()},
-                          {"mean_sq_error_over_u", a.meanSquareErrorOverU()},
+                          {"mean_sq_error_over_u", numberOrNull(a.meanSquareErrorOverU())},
                           {"n", a.count()}});
   }
   return {{"dimensions", dimensions}};
@@ -129,6 +134,10 @@ std::string tableOf(const InspectedRail& rail) {
     }
     text += "\n";
   }
+  if (rail.otherRail)
+    text += format("This rail looks like %s (chi2 %.1f) rather than %s (chi2 %.1f): is it the right recipe?\n",
+                   rail.otherRail->section.c_str(), rail.otherRail->chi2, rail.section.c_str(),
+                   rail.otherRail->chi2OfRecipe);
   return text;
 }
 
@@ -187,7 +196,7 @@ std::string toTable(const InspectionOutcome& outcome) {
       const DimensionAccuracy& a = outcome.accuracy->of(d);
       if (a.count() > 0)
         text += format("%-6s %9.4f %9.4f %9.4f %12.3f\n", std::string(name(d)).c_str(), a.biasMm(), a.rmsMm(),
-                       a.maxMm(), a.meanSquareErrorOverU());
+                       a.maxMm(), a.meanSquareErrorOverU().value_or(0));
     }
     text += "\n";
   }

@@ -31,7 +31,7 @@ struct Inspection::Impl {
         },
         // No start from an earlier profile: what is lost or late must not change what is measured next.
         [this](const RailBegin& rail, const Profile& profile, Registration& registration, Measurement& measurement) {
-          registrar.registerProfile(profile.points, registration);
+          registrar.registerProfile(profile.points, registration, {}, static_cast<double>(profile.correlatedPoints));
           measurer.measure(profile, registration, {rail.temperatureC, rail.temperatureUncertaintyC}, measurement);
         }};
   }

@@ -144,6 +144,19 @@ TEST(InspectCommand, TheCalibrationOfAnotherRigIsRefusedItsOwnGivesTheSameNumber
   EXPECT_EQ(lines(other.err), 1U) << other.err;
 }
 
+TEST(InspectCommand, AnotherRailThanTheRecipesIsNamed) {
+  for (const char* rail : {"54E1", "60E2"}) {
+    const ProgramResult result =
+        run({"inspect", "--length", "0.1", "--fault", std::string("wrong-rail=") + rail, "--json", "-"});
+    const json document = json::parse(result.out);
+    ASSERT_TRUE(document["rails"][0].contains("looks_like")) << rail;
+    EXPECT_EQ(document["rails"][0]["looks_like"]["section"], rail);
+  }
+  // A defect of the right rail is no other rail.
+  const ProgramResult defect = run({"inspect", "--length", "0.1", "--deviation", "HW=0.8", "--json", "-"});
+  EXPECT_FALSE(json::parse(defect.out)["rails"][0].contains("looks_like"));
+}
+
 TEST(InspectCommand, CamerasThatSeeNothingAreTheWorldsFault) {
   const ProgramResult result = run({"inspect", "--length", "0.1", "--fault", "black"});
   expectOneLineError(result, 3, "camera");
