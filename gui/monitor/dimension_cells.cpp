@@ -13,7 +13,8 @@ namespace vignole {
 
 namespace {
 
-constexpr double kEdge = 16;  // padding of the panel
+constexpr double kEdge = 16;       // padding of the panel
+constexpr double kLimitText = 60;  // room beside a bar for the limit's number, pushed aside by a mark
 
 bool rightAligned(int column) {
   return column == DimensionModel::Value || column == DimensionModel::Deviation ||
@@ -36,12 +37,13 @@ struct RowType {
         word(std::clamp(static_cast<int>(height * 0.36), 14, 16)) {}
 };
 
-/// Where deviations lie on a bar: the limits at 20 and 80 % of its width.
+/// Where deviations lie on a bar: the limits at 20 and 80 % of its width, on narrow ones as far in as their numbers
+/// need.
 class BarScale {
  public:
   BarScale(const QRectF& box, const DimensionRow& row)
-      : left_(box.left() + 0.2 * box.width()),
-        right_(box.left() + 0.8 * box.width()),
+      : left_(box.left() + std::max(0.2 * box.width(), kLimitText)),
+        right_(box.right() - std::max(0.2 * box.width(), kLimitText)),
         low_(row.lowerMm.value_or(std::min(row.nominalMm, row.upperMm.value_or(row.nominalMm)))),
         high_(row.upperMm.value_or(std::max(row.nominalMm, low_))) {
     if (high_ - low_ < 1e-9) high_ = low_ + 1;
@@ -121,7 +123,7 @@ void DimensionCells::paint(QPainter* painter, const QStyleOptionViewItem& option
       if (row.notMeasured()) {
         painter->setPen(p.t1);
         painter->setFont(uiFont(type.deviation, 500));
-        const QRectF wide = box.adjusted(24, 0, -kEdge, 0);
+        const QRectF wide = box.adjusted(8, 0, -kEdge, 0);
         painter->drawText(wide, Qt::AlignLeft | Qt::AlignVCenter,
                           QFontMetricsF(painter->font()).elidedText(text, Qt::ElideRight, wide.width()));
       } else {

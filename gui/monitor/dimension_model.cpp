@@ -18,8 +18,6 @@ void fillLatest(DimensionRow& row, const LineSnapshot& line) {
   row.upperMm = r.upperMm;
   row.positionM = line.latest->profile.positionMm / 1000;
   row.reason = QString::fromStdString(r.reason);
-  for (const LostCamera& lost : line.lostCameras)
-    if (!r.valueMm) row.reason = QStringLiteral("camera %1 lost: %2").arg(lost.camera + 1).arg(row.reason);
   row.symbol = symbolOf(r.verdict);
   row.word = r.verdict == Verdict::NotMeasured ? QStringLiteral("Not meas.") : wordOf(r.verdict);
   if (row.held && r.valueMm) {

@@ -129,10 +129,7 @@ VerdictText good(const LineSnapshot& line) {
   int judged = 0;
   for (const Dimension d : kDimensions) judged += hasLimit(*line.recipe, d) ? 1 : 0;
   return {StateSymbol::Good, QStringLiteral("Good"),
-          QStringLiteral("all %1 toleranced dimensions within their limits up to %2")
-              .arg(judged)
-              .arg(metres(positionM(line), 2)),
-          false};
+          QStringLiteral("%1 dimensions within limits up to %2").arg(judged).arg(metres(positionM(line), 2)), false};
 }
 
 VerdictText liveVerdict(const LineSnapshot& line) {
@@ -200,7 +197,8 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
                       .arg(kCameraCount - static_cast<int>(lost))
                       .arg(kCameraCount)
                       .arg(QString::number(line.profilesPerS, 'f', 1));
-  trust.provenance = QStringLiteral("calibration %1").arg(QString::fromStdString(line.calibrationMethod));
+  trust.provenance = QStringLiteral("calibration %1")
+                         .arg(QString::fromStdString(line.calibrationMethod).section(QStringLiteral(" ("), 0, 0));
   const bool running = line.state == LineState::Measuring || line.state == LineState::Armed;
   if (lost > 0 || line.state == LineState::Fault || line.state == LineState::Silent) {
     trust.symbol = StateSymbol::NotMeasured;

@@ -9,6 +9,10 @@
 
 namespace vignole {
 
+namespace {
+constexpr double kTwoLines = 60;  // a tile lower than this has one line
+}
+
 LastRails::LastRails(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
   connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
@@ -38,19 +42,27 @@ void LastRails::paintTile(QPainter& painter, const QRectF& box, const Tile& tile
   painter.setPen(tile.now ? QPen(edge, 2) : Qt::NoPen);
   painter.setBrush(fill);
   painter.drawRoundedRect(tile.now ? box.adjusted(1, 1, -1, -1) : box, 3, 3);
+  // Low windows have one line: symbol, id and word side by side.
+  const bool oneLine = box.height() < kTwoLines;
   const double middle = box.center().y();
-  paintSymbol(painter, QRectF(box.left() + 11, middle - 25, 26, 26), tile.symbol, p);
-  const double room = box.width() - 44 - 6;
+  const double symbolY = oneLine ? middle - 12 : middle - 25, idBaseline = oneLine ? middle + 7 : middle - 5;
+  paintSymbol(painter, QRectF(box.left() + 10, symbolY, 24, 24), tile.symbol, p);
+  const QFont small = uiFont(15);
+  const double wordWidth = oneLine ? QFontMetricsF(small).horizontalAdvance(tile.word) + 10 : 0;
+  const double room = box.width() - 42 - 8 - wordWidth;
   QFont id = uiFont(20, 500);
-  while (id.pixelSize() > 14 && QFontMetricsF(id).horizontalAdvance(tile.id) > room)
+  while (id.pixelSize() > 15 && QFontMetricsF(id).horizontalAdvance(tile.id) > room)
     id.setPixelSize(id.pixelSize() - 1);
   painter.setPen(p.t1);
   painter.setFont(id);
-  painter.drawText(QPointF(box.left() + 44, middle - 5), QFontMetricsF(id).elidedText(tile.id, Qt::ElideLeft, room));
+  painter.drawText(QPointF(box.left() + 42, idBaseline), QFontMetricsF(id).elidedText(tile.id, Qt::ElideLeft, room));
   painter.setPen(p.t2);
-  painter.setFont(uiFont(15));
-  painter.drawText(QPointF(box.left() + 12, middle + 25),
-                   QFontMetricsF(painter.font()).elidedText(tile.word, Qt::ElideRight, box.width() - 18));
+  painter.setFont(small);
+  if (oneLine)
+    painter.drawText(QPointF(box.right() - wordWidth, idBaseline), tile.word);
+  else
+    painter.drawText(QPointF(box.left() + 12, middle + 25),
+                     QFontMetricsF(small).elidedText(tile.word, Qt::ElideRight, box.width() - 18));
 }
 
 void LastRails::paintEvent(QPaintEvent* /*event*/) {
@@ -68,14 +80,15 @@ void LastRails::paintEvent(QPaintEvent* /*event*/) {
   painter.setFont(uiFont(14));
   painter.drawText(QPointF(16, middle + 16), summary_);
 
-  const double left = 124, room = width() - left - 8, wanted = 124;
+  const double margin = height() < 80 ? 7 : 10;
+  const double left = 124, room = width() - left - 8, wanted = height() - 2 * margin < kTwoLines ? 176 : 124;
   const int places = std::max(1, static_cast<int>(room / wanted));
   const double tile = room / places;
   const int shown = std::min<int>(places, static_cast<int>(tiles_.size()));
   // The one under way has its fixed place at the right end: the eye need not look for it.
   for (int i = 0; i < shown; ++i) {
     const auto& t = tiles_[tiles_.size() - static_cast<std::size_t>(shown - i)];
-    paintTile(painter, QRectF(left + (places - shown + i) * tile, 10, tile - 2, height() - 20), t);
+    paintTile(painter, QRectF(left + (places - shown + i) * tile, margin, tile - 2, height() - 2 * margin), t);
   }
 }
 

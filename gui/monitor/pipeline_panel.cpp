@@ -61,26 +61,30 @@ void PipelinePanel::paintStage(QPainter& painter, const QRectF& box, const std::
   painter.setPen(QPen(behind ? p.nearInk : p.line, behind ? 2 : 1));
   painter.setBrush(behind ? p.nearSoft : p.panel2);
   painter.drawRoundedRect(box, 3, 3);
-  const double left = box.left() + 10, top = box.top() + std::max(0.0, (box.height() - 64) / 2);
+  const bool small = box.height() < 68;
+  const int figurePixels = small ? 17 : 22, line = small ? 15 : 18;
+  const double left = box.left() + (small ? 7 : 10);
+  double y = box.top() + (box.height() - figurePixels - 2 * line) / 2 + figurePixels - 3;
   if (!s || s->count == 0) {
     text(painter, left, box.center().y() + 5, uiFont(16), p.t3, tr("no data"));
     return;
   }
   const QString mean = milliseconds(s->meanMs);
-  const QFont figure = uiFont(22, 500);
-  text(painter, left, top + 23, figure, p.t1, mean);
-  text(painter, left + QFontMetricsF(figure).horizontalAdvance(mean) + 4, top + 23, uiFont(14), p.t2, tr("ms"));
-  if (behind) paintSymbol(painter, QRectF(box.right() - 28, top + 4, 20, 20), StateSymbol::Near, p);
-  text(painter, left, top + 42, uiFont(14), p.t2, tr("UCL %1").arg(milliseconds(s->ucl99Ms)));
-  text(painter, left, top + 60, uiFont(14), p.t2, tr("max %1").arg(milliseconds(s->maxMs)));
+  const QFont figure = uiFont(figurePixels, 500);
+  text(painter, left, y, figure, p.t1, mean);
+  text(painter, left + QFontMetricsF(figure).horizontalAdvance(mean) + 4, y, uiFont(14), p.t2, tr("ms"));
+  if (behind) paintSymbol(painter, QRectF(box.right() - 24, box.top() + 4, 20, 20), StateSymbol::Near, p);
+  text(painter, left, y += line, uiFont(14), p.t2, tr("UCL %1").arg(milliseconds(s->ucl99Ms)));
+  text(painter, left, y += line, uiFont(14), p.t2, tr("max %1").arg(milliseconds(s->maxMs)));
 }
 
-void PipelinePanel::paintQueue(QPainter& painter, const QRectF& box, const std::string& stageBehind) const {
+void PipelinePanel::paintQueue(QPainter& painter, const QRectF& box, const std::string& stageBehind,
+                               bool upright) const {
   const Palette& p = theme_.palette();
   const StageStatistics* s = stage(stageBehind);
   const double y = box.center().y();
   painter.setPen(QPen(p.t3, 1.5));
-  painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+  if (!upright) painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
   const QRectF queue(box.left() + 5, y - 9, box.width() - 10, 18);
   if (!s || s->queueCapacity == 0) return;
   const double share = std::min(1.0, static_cast<double>(s->queueHighWater) / static_cast<double>(s->queueCapacity));
@@ -92,14 +96,19 @@ void PipelinePanel::paintQueue(QPainter& painter, const QRectF& box, const std::
                    dropped ? p.out : p.t3);
   const QString fill = QStringLiteral("%1/%2").arg(s->queueHighWater).arg(s->queueCapacity);
   const QFont font = uiFont(14);
-  text(painter, box.center().x() - QFontMetricsF(font).horizontalAdvance(fill) / 2, y + 26, font, p.t2, fill);
+  // Beside the queue where the flow runs through it from above, else below it.
+  if (upright)
+    text(painter, queue.right() + 6, y + 5, font, p.t2, fill);
+  else
+    text(painter, box.center().x() - QFontMetricsF(font).horizontalAdvance(fill) / 2, y + 26, font, p.t2, fill);
   if (!dropped) return;
   paintSymbol(painter, QRectF(box.center().x() - 9, y - 31, 18, 18), StateSymbol::Out, p);
 }
 
 void PipelinePanel::paintStages(QPainter& painter, const QRectF& area) const {
   const Palette& p = theme_.palette();
-  const double number = 26, queue = 62;
+  const bool narrow = area.width() < 640;
+  const double number = narrow ? 20 : 26, queue = narrow ? 46 : 62;
   const double box = (area.width() - number - 3 * queue - 14) / 4.15;
   const double x[3] = {area.left() + number, area.left() + number + box + queue,
                        area.left() + number + 2 * (box + queue)};
@@ -107,7 +116,7 @@ void PipelinePanel::paintStages(QPainter& painter, const QRectF& area) const {
   const QFont heads = uiFont(15, 500);
   const QStringList columns = {tr("Acquisition"), tr("Extraction"), tr("2D to 3D")};
   for (int column = 0; column < 3; ++column) text(painter, x[column], area.top() + 14, heads, p.t1, columns[column]);
-  text(painter, lastX, area.top() + 14, heads, p.t1, tr("Profile"));
+  text(painter, lastX, area.top() + 24 + 0.5 * (area.height() - 24) / kCameraCount - 9, heads, p.t1, tr("Profile"));
 
   const double top = area.top() + 24, pitch = (area.bottom() - top) / kCameraCount, height = std::min(pitch - 8, 84.0);
   const double joinX = x[2] + box + 14;
@@ -130,10 +139,10 @@ void PipelinePanel::paintStages(QPainter& painter, const QRectF& area) const {
   paintStage(painter, QRectF(lastX, measureY, lastWidth, height), "measure");
   painter.setPen(QPen(p.t3, 1.5));
   const double middle = lastX + lastWidth / 2;
-  painter.drawLine(QPointF(middle, profileY + height), QPointF(middle, measureY - 24));
+  painter.drawLine(QPointF(middle, profileY + height), QPointF(middle, measureY));
   const double between = (profileY + height + measureY) / 2;
-  paintQueue(painter, QRectF(middle - queue / 2, between - 22, queue, 18), "measure");
-  text(painter, lastX, measureY - 9, heads, p.t1, tr("Measurement"));
+  paintQueue(painter, QRectF(middle - queue / 2, between - 9, queue, 18), "measure", true);
+  text(painter, lastX, measureY + height + 20, heads, p.t1, tr("Measurement"));
 }
 
 void PipelinePanel::paintLedger(QPainter& painter, const QRectF& area) const {

@@ -30,7 +30,7 @@ class PipelinePanel : public QWidget {
   [[nodiscard]] const StageStatistics* stage(const std::string& name) const;
   void paintStages(QPainter& painter, const QRectF& area) const;
   void paintStage(QPainter& painter, const QRectF& box, const std::string& name) const;
-  void paintQueue(QPainter& painter, const QRectF& box, const std::string& stageBehind) const;
+  void paintQueue(QPainter& painter, const QRectF& box, const std::string& stageBehind, bool upright = false) const;
   void paintLedger(QPainter& painter, const QRectF& area) const;
   void paintReasons(QPainter& painter, const QRectF& area) const;
 

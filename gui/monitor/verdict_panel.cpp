@@ -84,8 +84,8 @@ void VerdictPanel::paintTrust(QPainter& painter, double left) const {
   paintInscription(painter, left + 34, top + 20, uiFont(small ? 20 : 24, 500), tr("Gauge: ") + trust_.word.toLower(),
                    room - 34);
   painter.setPen(p.t2);
-  paintInscription(painter, left, top + (small ? 42 : 50), uiFont(16), trust_.cameras, room);
-  paintInscription(painter, left, top + (small ? 62 : 74), uiFont(16),
+  paintInscription(painter, left, top + (small ? 42 : 50), uiFont(small ? 15 : 16), trust_.cameras, room);
+  paintInscription(painter, left, top + (small ? 62 : 74), uiFont(small ? 15 : 16),
                    simulation_ ? tr("SIMULATION, ") + trust_.provenance : trust_.provenance, room);
 }
 

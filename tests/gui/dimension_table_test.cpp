@@ -49,9 +49,10 @@ TEST_F(DimensionTableTest, ValuesDeviationsAndExpandedUncertainty) {
 }
 
 TEST_F(DimensionTableTest, NotMeasuredSpansTheRowWithItsReason) {
-  table.show(makeSnapshot({.missing = {{Dimension::RFH, "SHBR has 0 points"}}, .lostCamera = 2}));
+  table.show(
+      makeSnapshot({.missing = {{Dimension::RFH, "no points on SHBR (camera 3: camera gone)"}}, .lostCamera = 2}));
   EXPECT_EQ(cell(table, Dimension::RFH, DimensionModel::Value),
-            QStringLiteral("Not measured, because camera 3 lost: SHBR has 0 points"));
+            QStringLiteral("Not measured, because no points on SHBR (camera 3: camera gone)"));
   const int row = static_cast<int>(index(Dimension::RFH));
   EXPECT_GT(table.columnSpan(row, DimensionModel::Value), 1);
   table.show(makeSnapshot());
