@@ -50,7 +50,7 @@ std::string selfTestJson(const LineSnapshot& line, const EventLoopWatchdog& watc
   document["gui_cpu_share"] = rounded(wallS > 0 ? guiS / wallS : 0);
   document["engine_cpu_share"] = rounded(wallS > 0 ? restS / wallS : 0);
   document["rss_mb"] = {{"start", rounded(start.rssMb)}, {"end", rounded(end.rssMb)}};
-  document["profiles_per_s"] = rounded(wallS > 0 ? static_cast<double>(t.measured + t.incomplete) / wallS : 0);
+  document["profiles_per_s"] = rounded(line.profilesPerS);
   document["wall_s"] = rounded(wallS);
   return document.dump(2);
 }

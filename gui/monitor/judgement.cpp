@@ -183,6 +183,12 @@ StateWord lineState(LineState state) {
 }
 
 VerdictText railVerdict(const LineSnapshot& line) {
+  // A rail that passes unseen is not good, however good its head was.
+  if (line.latest && (line.state == LineState::Silent || line.state == LineState::Fault))
+    return {
+        StateSymbol::NotMeasured, QStringLiteral("Not valid"),
+        QStringLiteral("no profiles since %1, %2 ago. Hold this rail.").arg(metres(positionM(line), 2), age(line.ageS)),
+        true};
   VerdictText text = liveVerdict(line);
   if (!line.held()) return text;
   text.held = true;
@@ -197,6 +203,7 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
                       .arg(kCameraCount - static_cast<int>(lost))
                       .arg(kCameraCount)
                       .arg(QString::number(line.profilesPerS, 'f', 1));
+  if (line.state == LineState::Silent) trust.cameras = QStringLiteral("no profiles for %1").arg(age(line.ageS));
   trust.provenance = QStringLiteral("calibration %1")
                          .arg(QString::fromStdString(line.calibrationMethod).section(QStringLiteral(" ("), 0, 0));
   const bool running = line.state == LineState::Measuring || line.state == LineState::Armed;

@@ -26,7 +26,8 @@ void LastRails::show(const LineSnapshot& line) {
   if (line.rail && line.latest && !passedAlready) {
     const VerdictText now = railVerdict(line);
     QString word = now.symbol == StateSymbol::Out ? tr("Out") : now.word;
-    tiles_.push_back({QString::fromStdString(line.rail->rail.id), word + tr(", now"), now.symbol, true});
+    tiles_.push_back(
+        {QString::fromStdString(line.rail->rail.id), word + (now.held ? tr(", held") : tr(", now")), now.symbol, true});
   }
   summary_ = tr("good %1 of %2").arg(line.railsGood).arg(line.railsPassed);
   setAccessibleName(tr("Last rails: %1").arg(summary_));

@@ -60,7 +60,7 @@ void VerdictPanel::paintEvent(QPaintEvent* /*event*/) {
   paintSymbol(painter, QRectF(small ? 24 : 26, (height() - symbolSide) / 2, symbolSide, symbolSide),
               verdict_.held && verdict_.symbol != StateSymbol::NotMeasured ? StateSymbol::Held : verdict_.symbol, p);
   const double left = small ? 98 : 124;
-  painter.setPen(verdict_.held ? p.t3 : p.t1);
+  painter.setPen(verdict_.held && verdict_.symbol != StateSymbol::NotMeasured ? p.t3 : p.t1);
   QFont word = uiFont(wordPixels, 700);
   while (word.pixelSize() > 30 && QFontMetricsF(word).horizontalAdvance(verdict_.word) > trustLeft - left - 16)
     word.setPixelSize(word.pixelSize() - 2);

@@ -86,6 +86,8 @@ TEST(Judgement, SilenceWithARailInTheGaugeIsAnAlarm) {
   ASSERT_TRUE(highestAlarm(line));
   EXPECT_EQ(highestAlarm(line)->priority, 1);
   EXPECT_TRUE(line.held());
+  EXPECT_EQ(railVerdict(line).word, QStringLiteral("Not valid")) << "its head was good, the rest passes unseen";
+  EXPECT_FALSE(gaugeTrust(line).cameras.contains("4 of 4"));
 }
 
 TEST(Judgement, ManyIncompleteTriggersAreAlarmThree) {
