@@ -29,6 +29,8 @@ void ensureApplication() {
   static std::array<char*, 2> arguments = {name.data(), nullptr};
   static int count = 1;
   if (QGuiApplication::instance() != nullptr) return;
+  // Errors are ours to tell, in one line; what Qt thinks of the environment is nobody's result.
+  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   // Lives until the program ends: Qt's fonts do not survive their application.
   static const QGuiApplication application(count, arguments.data());
