@@ -109,7 +109,7 @@ void DimensionCells::paint(QPainter* painter, const QStyleOptionViewItem& option
                     row.symbol, p);
       painter->setPen(abnormal ? p.t1 : p.t3);
       painter->setFont(uiFont(type.word, abnormal ? 500 : 400));
-      painter->drawText(box.adjusted(kEdge + 34, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+      painter->drawText(box.adjusted(kEdge + (row.waiting ? 9 : 34), 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
       break;
     }
     case DimensionModel::Name: {

@@ -133,12 +133,13 @@ VerdictText good(const LineSnapshot& line) {
 }
 
 VerdictText liveVerdict(const LineSnapshot& line) {
-  if (!line.rail || !line.latest)
-    return {StateSymbol::Armed, QStringLiteral("Waiting for a rail"),
-            line.state == LineState::Idle || line.state == LineState::Stopped
-                ? QStringLiteral("the line is not running")
-                : QStringLiteral("the gauge is ready; values appear with the head of the rail"),
+  if (!line.rail || !line.latest) {
+    const bool running = line.state != LineState::Idle && line.state != LineState::Stopped;
+    return {running ? StateSymbol::Armed : StateSymbol::Idle, QStringLiteral("Waiting for a rail"),
+            running ? QStringLiteral("the gauge is ready; values appear with the head of the rail")
+                    : QStringLiteral("the line is not running: Ctrl+R starts it"),
             false};
+  }
   if (const auto missing = unmeasuredWithLimits(line); !missing.empty()) return notValid(line, missing);
   switch (line.rail->verdict) {
     case Verdict::Fail:
@@ -213,6 +214,7 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
   } else if (!running || !line.latest) {
     trust.symbol = StateSymbol::NoLimit;
     trust.word = QStringLiteral("No data");
+    trust.cameras = running ? QStringLiteral("no profile yet") : QStringLiteral("the line is not running");
   } else if (line.rail && line.recentIncomplete * 100 > line.rail->profiles && line.rail->profiles > 50) {
     // More than one trigger in a hundred is not normal production any more.
     trust.symbol = StateSymbol::Near;

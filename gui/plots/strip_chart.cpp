@@ -95,7 +95,7 @@ void StripChart::refresh() {
   const Palette& p = theme_.palette();
   values_->setPen(QPen(series_.held ? p.t3 : p.t1, 1.5));
   outside_->setPen(QPen(p.out, 4));
-  cursor_->setPen(QPen(series_.held ? p.invalid : p.accent, 2));
+  cursor_->setPen(QPen(series_.held ? p.t3 : p.accent, 2));
 
   const auto n = series_.points.size();
   QVector<double> x(n), y(n), red(n);
@@ -122,8 +122,9 @@ void StripChart::refreshAxes() {
   plot_->xAxis->setRange(0, length);
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   const double step = length <= 15 ? 2 : length <= 30 ? 5 : length <= 75 ? 10 : 20;
-  for (double at = 0; at <= length - step * 0.45; at += step) ticker->addTick(at, QString::number(at));
-  ticker->addTick(length, QStringLiteral("%1 m").arg(QString::number(length, 'g', 4)));
+  const bool empty = series_.lengthM <= 0 && series_.positionM <= 0;
+  for (double at = 0; !empty && at <= length - step * 0.45; at += step) ticker->addTick(at, QString::number(at));
+  if (!empty) ticker->addTick(length, QStringLiteral("%1 m").arg(QString::number(length, 'g', 4)));
   plot_->xAxis->setTicker(ticker);
 
   double low = series_.nominalMm, high = series_.nominalMm;
@@ -176,7 +177,8 @@ void StripChart::paintEvent(QPaintEvent* /*event*/) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
   if (series_.name.isEmpty()) return;
   const double middle = height() / 2.0;
-  paintSymbol(painter, QRectF(12, middle - 27, 20, 20), series_.held ? StateSymbol::Held : series_.symbol, p);
+  if (series_.symbol)
+    paintSymbol(painter, QRectF(12, middle - 27, 20, 20), series_.held ? StateSymbol::Held : *series_.symbol, p);
   painter.setPen(p.t1);
   paintInscription(painter, 40, middle - 9, uiFont(22, 500), series_.name);
   painter.setPen(series_.held ? p.t3 : p.t1);

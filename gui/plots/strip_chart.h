@@ -19,9 +19,9 @@ class QCustomPlot;
 namespace vignole {
 
 struct StripSeries {
-  QString name;   ///< "RAS_l"
-  QString value;  ///< as shown beside the plot
-  StateSymbol symbol = StateSymbol::Good;
+  QString name;                            ///< "RAS_l"
+  QString value;                           ///< as shown beside the plot
+  std::optional<StateSymbol> symbol;       ///< none: no profile yet
   QVector<QPointF> points;                 ///< position in m, value in mm
   QVector<QPair<double, double>> outside;  ///< stretches out of tolerance, m
   double lengthM = 0;                      ///< of the rail; 0: not known

@@ -1,0 +1,74 @@
+#include "gui/bridge/virtual_line.h"
+
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "engine/recipe/recipe.h"
+#include "gui/main_window/main_window.h"
+
+namespace vignole {
+namespace {
+
+VirtualLineSettings settings() {
+  VirtualLineSettings s;
+  s.recipe = *findRecipe("60E1");
+  s.rig.section = s.recipe.section;
+  s.rig.parameters = s.recipe.parameters;
+  return s;
+}
+
+bool waitForState(Line& line, LineState state) {
+  return QTest::qWaitFor([&] { return line.pull(PullDetail::Everything).state == state; }, 30000);
+}
+
+TEST(VirtualLine, MeasuresStopsAndMeasuresAnotherRail) {
+  auto line = VirtualLine::create(settings());
+  ASSERT_TRUE(line) << line.error().message();
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).state, LineState::Idle);
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  EXPECT_TRUE((*line)->running());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).rail != nullptr; }, 30000));
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).stages.size(), 14U);
+
+  (*line)->stop();
+  ASSERT_TRUE(waitForState(**line, LineState::Stopped));
+  const LineSnapshot stopped = (*line)->pull(PullDetail::Everything);
+  EXPECT_EQ(stopped.triggers.seen, stopped.triggers.measured + stopped.triggers.incomplete + stopped.triggers.lost);
+  EXPECT_GE(stopped.railsPassed, 1U) << "a rail that a stop cuts short ends as well";
+
+  const auto last = stopped.latest;
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Profile).latest != last; }, 30000));
+}
+
+TEST(VirtualLine, AWrongDeviationIsSeenOnTheRail) {
+  VirtualLineSettings s = settings();
+  s.rig.deviationMm[index(Dimension::WT)] = 1.4;
+  auto line = VirtualLine::create(s);
+  ASSERT_TRUE(line) << line.error().message();
+  (*line)->start();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+        return now.rail && now.rail->dimensions[index(Dimension::WT)].verdict == Verdict::Fail;
+      },
+      30000));
+}
+
+TEST(VirtualLine, ClosingTheWindowWhileMeasuringStopsCleanly) {
+  auto line = VirtualLine::create(settings());
+  ASSERT_TRUE(line) << line.error().message();
+  Theme theme;
+  MainWindow window(**line, theme);
+  (*line)->start();
+  window.show();
+  window.startTicking();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Profile).latest != nullptr; }, 30000));
+  EXPECT_TRUE(window.close());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !(*line)->running(); }, 10000));
+}
+
+}  // namespace
+}  // namespace vignole
