@@ -52,7 +52,7 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
   if (!o.record.empty())
     return inputError("--record", "comes with recordings, which this version does not have; leave it out");
   for (const std::string& file : o.reports)
-    if (const auto known = checkReportFile(file); !known) return known;
+    if (auto known = checkReportFile(file); !known) return known;
   return {};
 }
 
@@ -257,17 +257,17 @@ std::filesystem::path reportName(const std::filesystem::path& file, std::size_t 
 
 Expected<void> writeResults(const Options& o, const Recipe& recipe, Collector& collected,
                             const InspectionOutcome& outcome) {
-  if (const auto closed = collected.closeCsv(); !closed) return closed;
+  if (auto closed = collected.closeCsv(); !closed) return closed;
   for (const std::string& file : o.reports)
     for (std::size_t r = 0; r < outcome.rails.size(); ++r)
-      if (const auto written = writeReport(outcome.rails[r].summary, recipe, collected.examples[r], true,
-                                           reportName(file, r, outcome.rails.size()));
+      if (auto written = writeReport(outcome.rails[r].summary, recipe, collected.examples[r], true,
+                                     reportName(file, r, outcome.rails.size()));
           !written)
         return written;
   if (!o.json.empty())
-    if (const auto written = writeJson(o.json, toJson(outcome)); !written) return written;
+    if (auto written = writeJson(o.json, toJson(outcome)); !written) return written;
   if (o.json != "-")
-    if (const auto written = writeResult("-", toTable(outcome)); !written) return written;
+    if (auto written = writeResult("-", toTable(outcome)); !written) return written;
   return {};
 }
 

@@ -9,9 +9,10 @@
 namespace vignole {
 
 struct Inspection::Impl {
-  Impl(FrameSource& source, Recipe chosenRecipe, const RigCalibration& calibration, InspectionObserver observer,
+  Impl(FrameSource& source, Recipe chosenRecipe, RigCalibration rig, InspectionObserver observer,
        const InspectionSettings& settings)
       : recipe(std::move(chosenRecipe)),
+        calibration(std::move(rig)),
         registrar(recipe.section, recipe.registration),
         measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
@@ -37,6 +38,7 @@ struct Inspection::Impl {
   }
 
   Recipe recipe;
+  RigCalibration calibration;
   std::vector<StripeExtractor> extractors;
   std::vector<Translator> translators;
   Registrar registrar;
@@ -46,7 +48,7 @@ struct Inspection::Impl {
 
 Inspection::Inspection(FrameSource& source, Recipe recipe, RigCalibration calibration, InspectionObserver observer,
                        InspectionSettings settings)
-    : impl_(std::make_unique<Impl>(source, std::move(recipe), calibration, std::move(observer), settings)) {}
+    : impl_(std::make_unique<Impl>(source, std::move(recipe), std::move(calibration), std::move(observer), settings)) {}
 
 Inspection::~Inspection() = default;
 
