@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/camera_health.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/inspect_output.h"
@@ -180,6 +181,7 @@ class Collector {
   std::vector<std::pair<std::size_t, std::vector<ProfilePoint>>> samples;
   std::uint64_t profiles = 0, registered = 0;
   Accuracy accuracy;
+  CameraHealth cameras;
   std::string error, whyNotRegistered;
   Clock::time_point endedAt;
 
@@ -199,6 +201,7 @@ class Collector {
   void add(const ProfileResult& result) {
     ++profiles;
     summariser_->add(result);
+    cameras.add(result.profile);
     if (csv_) csv_->write(csvRow(result, profileOfRail_));
     ++profileOfRail_;
     if (sample_.empty() && result.profile.complete()) sample_ = result.profile.points;
@@ -288,9 +291,14 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
                      "); is it this recipe's rail, and the calibration still right?",
                  ErrorKind::World});
   }
-  for (const InspectedRail& rail : outcome.rails)
-    if (rail.summary.verdict == Verdict::Fail) return kVerdictFail;
-  return kDone;
+  for (const Error& warning : collected.cameras.overexposed()) fail(warning);
+  int code = kDone;
+  for (const InspectedRail& rail : outcome.rails) {
+    const Verdict verdict = rail.summary.verdict;  // what passed without being measured is no pass
+    if (verdict == Verdict::Fail || (verdict == Verdict::NotMeasured && rail.summary.profiles > 0)) code = kVerdictFail;
+  }
+  for (const Error& failure : collected.cameras.blind()) code = fail(failure);
+  return code;
 }
 
 /// Stops the inspection that is connected, also if it is connected after it was asked to.
@@ -388,7 +396,8 @@ void addInspect(CLI::App& app, int& exitCode) {
       "Without options: one virtual 60E1 rail of 60 m at 15 mm and 1 m/s, seed 1, class X/A.\n"
       "Example: vignole-cli inspect --length 10 --recipe 54E1 --deviation HW=0.6 --csv rail.csv --report rail.pdf\n"
       "Verdict of a rail: fail if a dimension is out of tolerance over at least 3 consecutive profiles (or in half of\n"
-      "them); near if it cannot be decided that long, or its mean is within 2 u of a limit. Exit code 1 on fail.");
+      "them); near if it cannot be decided that long, or its mean is within 2 u of a limit. Exit code 1 on fail or not "
+      "measured, 3 if a camera saw nothing.");
   command->add_option("--source", o->source, "virtual, gige or recording")
       ->check(CLI::IsMember({"virtual", "gige", "recording"}))
       ->capture_default_str();

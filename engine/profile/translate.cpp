@@ -4,7 +4,7 @@ namespace vignole {
 
 const char* reasonForNoContour(const StripeResult& stripe) {
   // A dead sensor or a closed shutter shows less than any ambient light; a background near the top is no background.
-  constexpr float kBlackDn = 1, kBrightDn = 250;
+  constexpr float kBlackDn = 4, kBrightDn = 250;
   if (stripe.overloaded) return "overloaded";
   if (!stripe.lines.empty()) return "only rejected lines";
   if (stripe.backgroundDn <= kBlackDn) return "no stripe (black?)";

@@ -162,6 +162,28 @@ TEST(InspectCommand, CamerasThatSeeNothingAreTheWorldsFault) {
   expectOneLineError(result, 3, "camera");
 }
 
+TEST(InspectCommand, OneBlackCameraIsNamedAndTheOthersAreStillMeasured) {
+  const Folder folder;
+  const std::string file = folder.file("rail.json");
+  const ProgramResult result = run({"inspect", "--length", "0.1", "--fault", "black@2", "--json", file});
+  expectOneLineError(result, 3, "camera 2: no stripe (black?) in all of 6 profiles");
+  const auto document = json::parse(contents(file));
+  EXPECT_EQ(document["triggers"]["incomplete"], 6);
+  EXPECT_EQ(document["rails"][0]["verdict"], "not measured");
+}
+
+TEST(InspectCommand, OneSaturatedCameraIsNamed) {
+  const ProgramResult result = run({"inspect", "--length", "0.1", "--fault", "saturated@1"});
+  expectOneLineError(result, 0, "camera 1: ");
+  EXPECT_NE(result.err.find("is saturated; shorten its exposure"), std::string::npos) << result.err;
+}
+
+TEST(InspectCommand, WhatWasNotMeasuredIsNoPass) {
+  const ProgramResult result = run({"inspect", "--length", "0.1", "--temperature", "200"});
+  EXPECT_EQ(result.exitCode, 1) << result.err;
+  EXPECT_NE(result.out.find("above 150 C no cold size is given"), std::string::npos) << result.out;
+}
+
 TEST(InspectCommand, SecondsEndsTheRunAndTheRailIsStillTold) {
   const ProgramResult result = run({"inspect", "--length", "5000", "--seconds", "1", "--json", "-"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
