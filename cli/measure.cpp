@@ -120,6 +120,7 @@ std::string table(const MeasuredFile& m, const Section& section) {
                   m.matches.front().chi2);
     text += line;
   }
+  if (!r.valid) return text + "; no dimension is measured\n";
   std::snprintf(line, sizeof line, "\n%-6s %10s %10s %9s %8s %10s %10s %6s  %s\n", "", "value mm", "nominal",
                 "deviation", "u", "lower", "upper", "points", "verdict");
   text += line;
@@ -221,7 +222,7 @@ int run(const Options& options) {
     if (options.json.empty())
       if (const auto ok = writeResult("-", table(*m, *section)); !ok) return fail(ok.error());
   }
-  if (!options.json.empty())
+  if (!options.json.empty() && !document["files"].empty())  // of nothing good there is no result
     if (const auto ok = writeJson(options.json, document); !ok) return fail(ok.error());
   return code;
 }
