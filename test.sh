@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and passes the tests. Without arguments the everyday preset (dev, warnings are
-# errors); with arguments those presets: dev, engine (without Qt), asan, tsan.
+# errors); with arguments those presets: dev, engine (without Qt), release, asan, tsan.
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$root/setup/prepare.sh"

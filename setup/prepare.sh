@@ -30,12 +30,13 @@ install() {
   fi
 }
 
-# build PRESET: configure and build; one line of progress on a terminal, the log in build/PRESET.log.
+# build PRESET [cmake options]: configure and build; one line of progress on a terminal, the log in build/PRESET.log.
 build() {
   local preset=$1 log="$root/build/$1.log" started=$SECONDS
+  shift
   mkdir -p "$root/build"
   cd "$root" || exit 3
-  if ! cmake --preset "$preset" >"$log" 2>&1; then
+  if ! cmake --preset "$preset" "$@" >"$log" 2>&1; then
     tail -n 20 "$log" >&2
     say "Configuring failed; the whole story is in build/$preset.log"
     exit 3
