@@ -1,10 +1,9 @@
 #include "cli/console.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "engine/files/atomic_file.h"
 

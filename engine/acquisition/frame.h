@@ -31,9 +31,9 @@ struct FrameLost {
 struct RailBegin {
   std::string id, heat, sectionName;
   std::uint64_t firstTrigger = 0;
-  double spacingMm = 15;             ///< travel between triggers
-  double lengthMm = 0;               ///< 0: not known yet
-  double speedMmPerS = 0;            ///< 0: not known
+  double spacingMm = 15;   ///< travel between triggers
+  double lengthMm = 0;     ///< 0: not known yet
+  double speedMmPerS = 0;  ///< 0: not known
   double temperatureC = 20;
   double temperatureUncertaintyC = 1;
 };

@@ -18,8 +18,8 @@ using UnknownVector = Eigen::Matrix<double, static_cast<int>(kMaxUnknowns), 1>;
 using UnknownMatrix = Eigen::Matrix<double, static_cast<int>(kMaxUnknowns), static_cast<int>(kMaxUnknowns)>;
 
 /// Section frame, mm; weight 1 / sigma^2. `pullMm2` times the curvature is how far the line filter has pulled the point
-/// to the inside of the bend (ProfilePoint::smoothingMm^2 / 2): the fit is of the curve that the filter saw, so that the
-/// curve itself comes out, with the curvature of the data and not of the section.
+/// to the inside of the bend (ProfilePoint::smoothingMm^2 / 2): the fit is of the curve that the filter saw, so that
+/// the curve itself comes out, with the curvature of the data and not of the section.
 struct FitPoint {
   double x = 0, y = 0, weight = 1, pullMm2 = 0;
   std::uint8_t camera = 0;

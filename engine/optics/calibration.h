@@ -1,8 +1,8 @@
 #pragma once
 // Calibration of the four range finders: what the paper's section III calls the 16 parameters of each camera, and the
-// plane of its laser. The world frame is the section's: x right, y up, z along the rail's motion, mm; the light plane of
-// an ideal rig is z = 0.
-// Pixel convention, stated once for the whole program: the centre of the top-left pixel is (0, 0).
+// plane of its laser. The world frame is the section's: x right, y up, z along the rail's motion, mm; the light plane
+// of an ideal rig is z = 0. Pixel convention, stated once for the whole program: the centre of the top-left pixel is
+// (0, 0).
 
 #include <Eigen/Core>
 #include <array>

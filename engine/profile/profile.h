@@ -13,9 +13,9 @@ namespace vignole {
 /// World coordinates in the light plane, mm.
 struct ProfilePoint {
   double x = 0, y = 0;
-  float nx = 0, ny = 1;    ///< unit normal of the contour, sign arbitrary
-  float sigmaMm = 0;       ///< standard uncertainty along the normal
-  float strength = 0;      ///< contrast of the line, DN
+  float nx = 0, ny = 1;  ///< unit normal of the contour, sign arbitrary
+  float sigmaMm = 0;     ///< standard uncertainty along the normal
+  float strength = 0;    ///< contrast of the line, DN
   std::uint8_t camera = 0;
   std::uint8_t flags = 0;  ///< StripeFlag
   /// StripeResult::smoothingPx along the contour, in mm: the point lies smoothingMm^2 / 2 * curvature too far inside a
@@ -27,23 +27,23 @@ struct ProfilePoint {
 struct PartialContour {
   int camera = 0;
   std::uint64_t trigger = 0;
-  std::vector<ProfilePoint> points;    ///< in order along each line; rejected lines left out
+  std::vector<ProfilePoint> points;     ///< in order along each line; rejected lines left out
   std::vector<std::uint32_t> lineEnds;  ///< one past the last point of each line
-  float correlatedPoints = 1;          ///< StripeResult::correlatedPoints
+  float correlatedPoints = 1;           ///< StripeResult::correlatedPoints
   float backgroundDn = 0, noiseDn = 0, saturatedShare = 0;
   bool overloaded = false;
-  std::string missing;                 ///< empty, or why there is no contour: "frame lost", "no stripe", ...
+  std::string missing;  ///< empty, or why there is no contour: "frame lost", "no stripe", ...
 };
 
 struct Profile {
   std::uint64_t trigger = 0;
-  double positionMm = 0;                                ///< along the rail, from its head
-  std::vector<ProfilePoint> points;                     ///< camera 1 first; in order along each line
-  std::vector<std::uint32_t> lineEnds;                  ///< one past the last point of each line
+  double positionMm = 0;                ///< along the rail, from its head
+  std::vector<ProfilePoint> points;     ///< camera 1 first; in order along each line
+  std::vector<std::uint32_t> lineEnds;  ///< one past the last point of each line
   std::array<std::uint32_t, kCameraCount> pointsOfCamera{};
-  std::array<std::string, kCameraCount> missing;        ///< per camera: empty or the reason
-  std::array<bool, kCameraCount> overloaded{};          ///< the camera's frame was too busy: what it gave may lack parts
-  float correlatedPoints = 1;                           ///< a point's error is shared with this many neighbours
+  std::array<std::string, kCameraCount> missing;  ///< per camera: empty or the reason
+  std::array<bool, kCameraCount> overloaded{};    ///< the camera's frame was too busy: what it gave may lack parts
+  float correlatedPoints = 1;                     ///< a point's error is shared with this many neighbours
   [[nodiscard]] bool complete() const {
     for (const auto& reason : missing)
       if (!reason.empty()) return false;

@@ -18,7 +18,7 @@ constexpr int kTickMs = 33;          // 30 pictures a second at most
 constexpr int kTicksPerFigures = 6;  // five times a second: faster digits cannot be read
 }  // namespace
 
-MainWindow::MainWindow(Line& line, Theme& theme, Clock clock) : line_(line), theme_(theme) {
+MainWindow::MainWindow(Line& line, Theme& theme, const Clock& clock) : line_(line), theme_(theme) {
   setWindowTitle(tr("Vignole"));
   auto* content = new QWidget(this);
   content->setObjectName(QStringLiteral("page"));

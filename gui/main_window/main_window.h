@@ -25,7 +25,7 @@ class MainWindow : public QMainWindow {
 
   /// Line and theme outlive the window. The clock is handed in so that a test can hold it still.
   MainWindow(
-      Line& line, Theme& theme, Clock clock = [] { return QDateTime::currentDateTime(); });
+      Line& line, Theme& theme, const Clock& clock = [] { return QDateTime::currentDateTime(); });
 
   void startTicking();
   /// One display tick: pulls and shows. Public for tests and pictures.

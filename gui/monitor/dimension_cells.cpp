@@ -202,12 +202,9 @@ void DimensionCells::paintTrack(QPainter& painter, const QRectF& box, const Dime
   const Palette& p = theme_.palette();
   painter.fillRect(box, p.panel2);
   if (row.track.isEmpty() || row.lengthM <= 0) return;
-  double low = row.nominalMm, high = row.nominalMm;
   const bool limits = row.lowerMm || row.upperMm;
-  if (limits) {
-    low = row.lowerMm.value_or(row.nominalMm);
-    high = row.upperMm.value_or(row.nominalMm);
-  } else {
+  double low = row.lowerMm.value_or(row.nominalMm), high = row.upperMm.value_or(row.nominalMm);
+  if (!limits) {
     low = high = row.track.front().y();
     for (const QPointF& point : row.track) {
       low = std::min(low, point.y());

@@ -64,7 +64,7 @@ void PipelinePanel::paintStage(QPainter& painter, const QRectF& box, const std::
   const bool small = box.height() < 68;
   const int figurePixels = small ? 17 : 22, line = small ? 15 : 18;
   const double left = box.left() + (small ? 7 : 10);
-  double y = box.top() + (box.height() - figurePixels - 2 * line) / 2 + figurePixels - 3;
+  const double y = box.top() + (box.height() - figurePixels - 2 * line) / 2 + figurePixels - 3;
   if (!s || s->count == 0) {
     text(painter, left, box.center().y() + 5, uiFont(16), p.t3, tr("no data"));
     return;
@@ -74,8 +74,8 @@ void PipelinePanel::paintStage(QPainter& painter, const QRectF& box, const std::
   text(painter, left, y, figure, p.t1, mean);
   text(painter, left + QFontMetricsF(figure).horizontalAdvance(mean) + 4, y, uiFont(14), p.t2, tr("ms"));
   if (behind) paintSymbol(painter, QRectF(box.right() - 24, box.top() + 4, 20, 20), StateSymbol::Near, p);
-  text(painter, left, y += line, uiFont(14), p.t2, tr("UCL %1").arg(milliseconds(s->ucl99Ms)));
-  text(painter, left, y += line, uiFont(14), p.t2, tr("max %1").arg(milliseconds(s->maxMs)));
+  text(painter, left, y + line, uiFont(14), p.t2, tr("UCL %1").arg(milliseconds(s->ucl99Ms)));
+  text(painter, left, y + 2 * line, uiFont(14), p.t2, tr("max %1").arg(milliseconds(s->maxMs)));
 }
 
 void PipelinePanel::paintQueue(QPainter& painter, const QRectF& box, const std::string& stageBehind,
