@@ -284,7 +284,7 @@ QString quietSentence(const LineSnapshot& line) {
     case LineState::Armed:
       return QStringLiteral("Ready for the next rail");
     default:
-      return QStringLiteral("Nothing abnormal on this rail");
+      return QStringLiteral("No alarm on this rail");
   }
 }
 
