@@ -11,7 +11,6 @@ namespace vignole {
 namespace {
 
 constexpr double kReferenceCelsius = 15;
-constexpr double kCoverage = 2;
 constexpr double kJointSlackMm = 2;  // as far as a defect may move a joint
 
 /// ": camera 3: frame lost" for every camera that is missing; a missing camera explains missing points.
