@@ -57,30 +57,6 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
   return {};
 }
 
-/// "HW=0.3": a constant deviation from nominal.
-Expected<void> applyDeviation(VirtualRigSettings& rig, const std::string& specification) {
-  const auto equals = specification.find('=');
-  const std::string label = specification.substr(0, equals);
-  const auto dimension = dimensionFromName(label);
-  if (!dimension) {
-    std::string known;
-    for (const Dimension d : kDimensions) known += (known.empty() ? "" : ", ") + std::string(name(d));
-    return inputError("--deviation " + specification, "unknown dimension; there are " + known);
-  }
-  double value = 0;
-  std::size_t used = 0;
-  const std::string text = equals == std::string::npos ? "" : specification.substr(equals + 1);
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size() || !std::isfinite(value))
-    return inputError("--deviation " + specification, "wants DIM=MM, as in --deviation " + label + "=0.3");
-  rig.deviationMm[index(*dimension)] = value;
-  return {};
-}
-
 Expected<std::shared_ptr<const VirtualRig>> makeRig(const Options& o, const Recipe& recipe) {
   VirtualRigSettings settings;
   settings.section = recipe.section;
@@ -90,15 +66,8 @@ Expected<std::shared_ptr<const VirtualRig>> makeRig(const Options& o, const Reci
   settings.spacingMm = o.spacingMm;
   settings.speedMmPerS = 1000 * o.speedMPerS;
   settings.temperatureC = o.temperatureC;
-  for (const std::string& effect : o.effects)
-    if (const auto applied = applyEffect(settings.effects, effect); !applied) return tl::unexpected(applied.error());
-  for (const std::string& deviation : o.deviations)
-    if (const auto applied = applyDeviation(settings, deviation); !applied) return tl::unexpected(applied.error());
-  for (const std::string& text : o.faults) {
-    auto fault = parseFault(text);
-    if (!fault) return tl::unexpected(fault.error());
-    settings.faults.push_back(*fault);
-  }
+  if (const auto applied = applyWords(settings, o.effects, o.deviations, o.faults); !applied)
+    return tl::unexpected(applied.error());
   return VirtualRig::create(std::move(settings));
 }
 

@@ -30,24 +30,6 @@ struct RailOptions {
   bool quiet = false;
 };
 
-Expected<void> applyDeviation(VirtualRigSettings& settings, const std::string& specification) {
-  const std::string where = "deviation \"" + specification + "\"";
-  const std::size_t equals = specification.find('=');
-  const auto dimension = dimensionFromName(specification.substr(0, equals));
-  if (!dimension) {
-    std::string names;
-    for (const Dimension d : kDimensions) names += (names.empty() ? "" : ", ") + std::string(name(d));
-    return inputError(where, "there is no such dimension; there are " + names);
-  }
-  const std::string text = equals == std::string::npos ? "" : specification.substr(equals + 1);
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(std::abs(value) <= 100))
-    return inputError(where, "needs a number of millimetres; write " + std::string(name(*dimension)) + "=MM");
-  settings.deviationMm[index(*dimension)] = value;
-  return {};
-}
-
 Expected<VirtualRigSettings> readSettings(const RailOptions& options) {
   VirtualRigSettings settings;
   auto section = findSection(options.rail);
@@ -59,15 +41,8 @@ Expected<VirtualRigSettings> readSettings(const RailOptions& options) {
   settings.spacingMm = options.spacingMm;
   settings.speedMmPerS = options.speedMPerS * 1000;
   settings.temperatureC = options.temperatureC;
-  for (const std::string& text : options.effects)
-    if (auto applied = applyEffect(settings.effects, text); !applied) return tl::unexpected<Error>(applied.error());
-  for (const std::string& text : options.deviations)
-    if (auto applied = applyDeviation(settings, text); !applied) return tl::unexpected<Error>(applied.error());
-  for (const std::string& text : options.faults) {
-    auto fault = parseFault(text);
-    if (!fault) return tl::unexpected<Error>(fault.error());
-    settings.faults.push_back(*std::move(fault));
-  }
+  if (auto applied = applyWords(settings, options.effects, options.deviations, options.faults); !applied)
+    return tl::unexpected<Error>(applied.error());
   return settings;
 }
 

@@ -293,18 +293,15 @@ void paintFacts(QPainter& painter, const QRectF& area, const std::vector<Fact>& 
 
 QString verdictHeadline(Verdict verdict) {
   switch (verdict) {
-    case Verdict::Pass:
-      return QStringLiteral("Good");
-    case Verdict::Near:
-      return QStringLiteral("Near limit");
     case Verdict::Fail:
       return QStringLiteral("Out of tolerance");
     case Verdict::NoLimit:
       return QStringLiteral("No limits to judge by");
     case Verdict::NotMeasured:
-      break;
+      return QStringLiteral("Not valid");
+    default:
+      return wordOf(verdict);
   }
-  return QStringLiteral("Not valid");
 }
 
 TextRuns verdictReason(const RailSummary& summary) {

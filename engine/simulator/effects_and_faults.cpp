@@ -154,6 +154,29 @@ Expected<void> applyEffect(Effects& effects, const std::string& specification) {
   return {};
 }
 
+namespace {
+
+constexpr double kMaxDeviationMm = 100;
+
+Expected<void> applyDeviation(VirtualRigSettings& settings, const std::string& specification) {
+  const std::string where = "deviation \"" + specification + "\"";
+  const std::size_t equals = specification.find('=');
+  const auto dimension = dimensionFromName(specification.substr(0, equals));
+  if (!dimension) {
+    std::string names;
+    for (const Dimension d : kDimensions) names += (names.empty() ? "" : ", ") + std::string(name(d));
+    return inputError(where, "there is no such dimension; there are " + names);
+  }
+  const auto value =
+      equals == std::string::npos ? std::optional<double>{} : parseNumber(specification.substr(equals + 1));
+  if (!value || !(std::abs(*value) <= kMaxDeviationMm))
+    return inputError(where, "needs a number of millimetres; write " + std::string(name(*dimension)) + "=MM");
+  settings.deviationMm[index(*dimension)] = *value;
+  return {};
+}
+
+}  // namespace
+
 Expected<Fault> parseFault(const std::string& specification) {
   const std::string where = "fault \"" + specification + "\"";
   std::string_view rest = specification;
@@ -180,6 +203,20 @@ Expected<Fault> parseFault(const std::string& specification) {
       return fault;
     }
   return inputError(where, "there is no such fault in the virtual rig; there are " + faultNames());
+}
+
+Expected<void> applyWords(VirtualRigSettings& settings, const std::vector<std::string>& effects,
+                          const std::vector<std::string>& deviations, const std::vector<std::string>& faults) {
+  for (const std::string& effect : effects)
+    if (auto applied = applyEffect(settings.effects, effect); !applied) return applied;
+  for (const std::string& deviation : deviations)
+    if (auto applied = applyDeviation(settings, deviation); !applied) return applied;
+  for (const std::string& text : faults) {
+    auto fault = parseFault(text);
+    if (!fault) return tl::unexpected<Error>(fault.error());
+    settings.faults.push_back(*std::move(fault));
+  }
+  return {};
 }
 
 }  // namespace vignole

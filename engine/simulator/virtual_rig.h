@@ -64,6 +64,12 @@ struct VirtualRigSettings {
   DimensionParameters parameters;  ///< where the truth is taken
 };
 
+/// The words of a command line: effects as applyEffect, deviations as "HW=0.3" (DIM=MM from nominal), faults as
+/// parseFault. The first that is wrong is the error.
+[[nodiscard]] Expected<void> applyWords(VirtualRigSettings& settings, const std::vector<std::string>& effects,
+                                        const std::vector<std::string>& deviations,
+                                        const std::vector<std::string>& faults);
+
 /// Dimensions of the section that was rendered, at 15 degrees C, by code of its own. HF: the signed value of HF_max.
 struct Truth {
   PerDimension<double> valueMm{};

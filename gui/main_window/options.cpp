@@ -27,37 +27,13 @@ Expected<QSize> parseSize(const std::string& text) {
   return QSize(width, height);
 }
 
-Expected<void> applyDeviation(VirtualRigSettings& rig, const std::string& text) {
-  const auto split = text.find('=');
-  const auto dimension = dimensionFromName(text.substr(0, split));
-  if (!dimension) {
-    std::string names;
-    for (const Dimension d : kDimensions) names += (names.empty() ? "" : ", ") + std::string(name(d));
-    return inputError("--deviation", "no dimension \"" + text.substr(0, split) + "\"; there are " + names);
-  }
-  bool ok = false;
-  const double mm = split == std::string::npos ? 0 : QString::fromStdString(text.substr(split + 1)).toDouble(&ok);
-  if (!ok || !std::isfinite(mm)) return inputError("--deviation", "\"" + text + "\" is not DIM=MM, as in WT=1.03");
-  rig.deviationMm[index(*dimension)] = mm;
-  return {};
-}
-
 Expected<void> fillLine(VirtualLineSettings& line, const RawOptions& raw) {
   auto recipe = findRecipe(raw.recipe);
   if (!recipe) return tl::unexpected(recipe.error());
   line.recipe = *std::move(recipe);
   line.rig.section = line.recipe.section;
   line.rig.parameters = line.recipe.parameters;
-  for (const std::string& effect : raw.effects)
-    if (auto done = applyEffect(line.rig.effects, effect); !done) return done;
-  for (const std::string& text : raw.faults) {
-    auto fault = parseFault(text);
-    if (!fault) return tl::unexpected(fault.error());
-    line.rig.faults.push_back(*std::move(fault));
-  }
-  for (const std::string& deviation : raw.deviations)
-    if (auto done = applyDeviation(line.rig, deviation); !done) return done;
-  return {};
+  return applyWords(line.rig, raw.effects, raw.deviations, raw.faults);
 }
 
 Expected<void> finish(Options& options, const RawOptions& raw) {
