@@ -188,7 +188,7 @@ bool isFolder(const std::string& csv) {
 
 std::string summary(const std::string& image, const Picture& picture, const StripeResult& result) {
   std::size_t rejected = 0;
-  for (const StripeLine& line : result.lines) rejected += line.rejected ? 1 : 0;
+  for (const StripeLine& line : result.lines) rejected += line.rejected() ? 1 : 0;
   return image + ": channel " + std::string(channelName(picture.channel)) + ", " + std::to_string(result.lines.size()) +
          " lines (" + std::to_string(rejected) + " rejected), " + std::to_string(result.points.size()) + " points" +
          (result.overloaded ? ", overloaded" : "") + "\n";

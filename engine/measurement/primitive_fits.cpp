@@ -87,9 +87,13 @@ void PrimitiveFits::gather(const Profile& profile, const Registration& registrat
     const Border& b = borders_[static_cast<std::size_t>(k)];
     if (b.fit < 0) continue;
     const ProfilePoint& p = profile.points[i];
-    const double sigma = p.sigmaMm > 0 ? p.sigmaMm : kFallbackSigmaMm;
+    // The ridge itself: the fit knows the bend better than the extraction, and neighbours that were smoothed together
+    // tell nothing twice.
+    const float given = p.ridgeSigmaMm > 0 ? p.ridgeSigmaMm : p.sigmaMm;
+    const double sigma = given > 0 ? given : kFallbackSigmaMm;
+    const double px = p.x - p.shiftMm * p.nx, py = p.y - p.shiftMm * p.ny;
     Assigned a;
-    a.point = {c * p.x - s * p.y + t.xMm, s * p.x + c * p.y + t.yMm, 1 / (sigma * sigma),
+    a.point = {c * px - s * py + t.xMm, s * px + c * py + t.yMm, 1 / (sigma * sigma),
                0.5 * p.smoothingMm * p.smoothingMm, static_cast<std::uint8_t>(p.camera % kCameraCount)};
     a.primitive = static_cast<std::uint16_t>(k);
     const double dx = a.point.x - b.start.x(), dy = a.point.y - b.start.y();

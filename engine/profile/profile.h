@@ -18,7 +18,11 @@ struct ProfilePoint {
   float strength = 0;    ///< contrast of the line, DN
   std::uint8_t camera = 0;
   std::uint8_t flags = 0;  ///< StripeFlag
-  /// StripeResult::smoothingPx along the contour, in mm: the point lies smoothingMm^2 / 2 * curvature too far inside a
+  /// The ridge that the line filter found is (x, y) - shiftMm (nx, ny), with a standard uncertainty of its own
+  /// (StripePoint); who fits curves starts from there.
+  float shiftMm = 0;
+  float ridgeSigmaMm = 0;  ///< 0: as sigmaMm
+  /// StripeResult::smoothingPx along the contour, in mm: the ridge lies smoothingMm^2 / 2 * curvature too far inside a
   /// bend. 0: nothing to take off.
   float smoothingMm = 0;
 };

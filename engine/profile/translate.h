@@ -30,7 +30,7 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
   result.saturatedShare = stripe.saturatedShare;
   result.overloaded = stripe.overloaded;
   for (const StripeLine& line : stripe.lines) {
-    if (line.rejected) continue;
+    if (line.rejected()) continue;
     for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
       const StripePoint& p = stripe.points[i];
       const PlanePoint w = map(static_cast<double>(p.x), static_cast<double>(p.y));
@@ -40,9 +40,13 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
       const double determinant = w.dxdc * w.dydr - w.dxdr * w.dydc;
       // A point that the map sends nowhere (beyond the horizon of the light plane) is no point of the contour.
       if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
-      result.points.push_back({w.x, w.y, static_cast<float>(-wty / stretch), static_cast<float>(wtx / stretch),
-                               static_cast<float>(static_cast<double>(p.sigmaPx) * std::abs(determinant) / stretch),
+      // N . J n = -det J / |J t| for the contour's normal N as it is given here and n in the picture.
+      const double across = std::abs(determinant) / stretch;
+      const float nx = static_cast<float>(-wty / stretch), ny = static_cast<float>(wtx / stretch);
+      result.points.push_back({w.x, w.y, nx, ny, static_cast<float>(static_cast<double>(p.sigmaPx) * across),
                                p.strength, static_cast<std::uint8_t>(camera), p.flags,
+                               static_cast<float>(-determinant / stretch * static_cast<double>(p.shiftPx)),
+                               static_cast<float>(static_cast<double>(p.ridgeSigmaPx) * across),
                                stripe.smoothingPx * static_cast<float>(stretch)});
     }
     const auto end = static_cast<std::uint32_t>(result.points.size());

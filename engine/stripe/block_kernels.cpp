@@ -1,7 +1,11 @@
 #include "engine/stripe/block_kernels.h"
 
+#include <algorithm>
+#include <cstring>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/stripe/block_kernels.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -36,8 +40,12 @@ const hn::ScalableTag<std::uint8_t> kBytes;
 const hn::Repartition<std::uint64_t, decltype(kBytes)> kWide;
 
 HWY_INLINE auto vectorSum(const std::uint8_t* p, std::ptrdiff_t stride) {
-  auto sum = hn::SumsOf8(hn::LoadU(kBytes, p));
-  for (std::size_t y = 1; y < kSide; ++y) sum = hn::Add(sum, hn::SumsOf8(hn::LoadU(kBytes, p += stride)));
+  // The rows of the next blocks are asked for meanwhile: eight streams are more than the hardware follows by itself.
+  auto sum = hn::Zero(kWide);
+  for (std::size_t y = 0; y < kSide; ++y, p += stride) {
+    hwy::Prefetch(p + static_cast<std::ptrdiff_t>(kSide) * stride);
+    sum = hn::Add(sum, hn::SumsOf8(hn::LoadU(kBytes, p)));
+  }
   return sum;
 }
 
@@ -117,19 +125,29 @@ void excessRow(const std::uint16_t* const* rows, int rowCount, const std::uint16
 }
 
 void markRow(const std::uint16_t* excess, std::ptrdiff_t pitch, std::uint16_t floor, std::size_t count,
-             std::uint16_t* marks) {
+             std::uint64_t* marks) {
   const auto least = hn::Set(kShorts, floor);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(kShorts)) {
-    auto largest = least;
-    for (int r = -1; r <= 1; ++r) {
-      const std::uint16_t* p = excess + r * pitch + i;
-      const auto side = hn::Max(hn::LoadU(kShorts, p - 1), hn::LoadU(kShorts, p + 1));
-      largest = hn::Max(largest, hn::Max(side, hn::LoadU(kShorts, p)));
+  const std::size_t lanes = hn::Lanes(kShorts);
+  for (std::size_t word = 0; 64 * word < count; ++word) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < 64; i += lanes) {
+      auto largest = least;
+      for (int r = -1; r <= 1; ++r) {
+        const std::uint16_t* p = excess + r * pitch + 64 * word + i;
+        const auto side = hn::Max(hn::LoadU(kShorts, p - 1), hn::LoadU(kShorts, p + 1));
+        largest = hn::Max(largest, hn::Max(side, hn::LoadU(kShorts, p)));
+      }
+      const auto needed = hn::Max(least, hn::ShiftRight<3>(largest));
+      // a > b for unsigned numbers: their saturated difference is not zero
+      const auto above = hn::SaturatedSub(hn::LoadU(kShorts, excess + 64 * word + i), needed);
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(kShorts, hn::Ne(above, hn::Zero(kShorts)), bytes);
+      std::uint64_t part = 0;
+      std::memcpy(&part, bytes, sizeof part);
+      bits |= part << i;
     }
-    const auto needed = hn::Max(least, hn::ShiftRight<3>(largest));
-    // a > b for unsigned numbers: their saturated difference is not zero
-    const auto below = hn::Eq(hn::SaturatedSub(hn::LoadU(kShorts, excess + i), needed), hn::Zero(kShorts));
-    hn::StoreU(hn::IfThenZeroElse(below, hn::Set(kShorts, std::uint16_t{0xFFFF})), kShorts, marks + i);
+    const std::size_t rest = count - 64 * word;
+    marks[word] = rest < 64 ? bits & ((std::uint64_t{1} << rest) - 1) : bits;
   }
 }
 
@@ -164,7 +182,7 @@ void backgroundAndExcess(const std::uint16_t* const* rows, int rowCount, const s
 }
 
 void markBlocks(const std::uint16_t* excess, std::ptrdiff_t pitch, std::uint16_t floor, std::size_t count,
-                std::uint16_t* marks) {
+                std::uint64_t* marks) {
   HWY_DYNAMIC_DISPATCH(markRow)(excess, pitch, floor, count, marks);
 }
 

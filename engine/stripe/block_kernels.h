@@ -22,9 +22,10 @@ void minimumAlongRow(const std::uint16_t* in, int radius, std::size_t count, std
 void backgroundAndExcess(const std::uint16_t* const* rows, int rowCount, const std::uint16_t* sums, std::size_t count,
                          std::uint16_t* background, std::uint16_t* excess);
 
-/// marks[i] = 0xFFFF where excess[i] is above `floor` and above 1/8 of the largest of its 3 x 3 neighbours, else 0.
-/// `pitch`: entries from one row of the grid to the next.
+/// Bit i of `marks` (bit i % 64 of word i / 64) is set where excess[i] is above `floor` and above 1/8 of the largest of
+/// its 3 x 3 neighbours. `pitch`: entries from one row of the grid to the next. Words behind `count` bits are cleared
+/// as far as (count + 63) / 64.
 void markBlocks(const std::uint16_t* excess, std::ptrdiff_t pitch, std::uint16_t floor, std::size_t count,
-                std::uint16_t* marks);
+                std::uint64_t* marks);
 
 }  // namespace vignole

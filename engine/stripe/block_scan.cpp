@@ -1,8 +1,8 @@
 #include "engine/stripe/block_scan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "engine/stripe/block_kernels.h"
@@ -56,9 +56,11 @@ void BlockScan::resize(const ImageView& image) {
   columns_ = (width_ + kBlock - 1) / kBlock;
   rows_ = (height_ + kBlock - 1) / kBlock;
   pitch_ = static_cast<std::size_t>(columns_) + 2 * kGridMargin;
-  const std::size_t size = pitch_ * (static_cast<std::size_t>(rows_) + 2);
+  const std::size_t size = pitch_ * (static_cast<std::size_t>(rows_) + 2) + kGridMargin;
   sums_.assign(size, kNothing);
-  for (Grid* grid : {&rowMinima_, &background_, &excess_, &marks_}) grid->assign(size, 0);
+  for (Grid* grid : {&rowMinima_, &background_, &excess_}) grid->assign(size, 0);
+  words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
+  marks_.assign(words_ * static_cast<std::size_t>(rows_), 0);
   histogram_.assign(1U << 14U, 0);
   const std::size_t blocks = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   differences_.reserve(blocks);
@@ -120,49 +122,47 @@ void BlockScan::markCandidates(const BlockScanSettings& settings) {
   const auto floor = static_cast<std::uint16_t>(std::min(65535.0, thresholdDn * kPixels));
   const auto pitch = static_cast<std::ptrdiff_t>(pitch_);
   candidates_ = 0;
-  for (int r = 0; r < rows_; ++r) {
-    std::uint16_t* marks = at(marks_, r);
-    markBlocks(at(excess_, r), pitch, floor, static_cast<std::size_t>(columns_), marks);
-    std::fill_n(marks + columns_, 8, std::uint16_t{0});
-    candidates_ += static_cast<std::size_t>(std::count(marks, marks + columns_, kNothing));
-  }
+  for (int r = 0; r < rows_; ++r)
+    markBlocks(at(excess_, r), pitch, floor, static_cast<std::size_t>(columns_),
+               marks_.data() + static_cast<std::size_t>(r) * words_);
+  for (const std::uint64_t word : marks_) candidates_ += static_cast<std::size_t>(std::popcount(word));
 }
 
 void BlockScan::capCandidates(std::size_t maxBlocks) {
   std::fill(histogram_.begin(), histogram_.end(), 0U);
   const auto each = [this](const auto& work) {
-    for (int r = 0; r < rows_; ++r)
-      for (int c = 0; c < columns_; ++c)
-        if (at(marks_, r)[c] != 0) work(at(marks_, r)[c], std::min<std::size_t>(at(excess_, r)[c], (1U << 14U) - 1));
+    for (std::size_t w = 0; w < marks_.size(); ++w)
+      for (std::uint64_t left = marks_[w]; left != 0; left &= left - 1) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+        const std::size_t excess = at(excess_, static_cast<int>(w / words_))[w % words_ * 64 + bit];
+        work(marks_[w], std::uint64_t{1} << bit, std::min<std::size_t>(excess, (1U << 14U) - 1));
+      }
   };
-  each([this](std::uint16_t, std::size_t excess) { ++histogram_[excess]; });
+  each([this](std::uint64_t, std::uint64_t, std::size_t excess) { ++histogram_[excess]; });
   std::size_t kept = 0, level = histogram_.size();
   while (level > 0 && kept + histogram_[level - 1] <= maxBlocks) kept += histogram_[--level];
-  each([level](std::uint16_t& mark, std::size_t excess) {
-    if (excess < level) mark = 0;
+  each([level](std::uint64_t& word, std::uint64_t bit, std::size_t excess) {
+    if (excess < level) word &= ~bit;
   });
   candidates_ = kept;
 }
 
 void BlockScan::collectRuns() {
   runs_.clear();
-  for (int r = 0; r < rows_; ++r) {
-    const std::uint16_t* marks = at(marks_, r);
-    for (int c = 0; c < columns_;) {
-      std::uint64_t four = 0;
-      std::memcpy(&four, marks + c, sizeof four);  // the margin may be read
-      if (four == 0) {
-        c += 4;
-        continue;
-      }
-      if (marks[c] == 0) {
-        ++c;
-        continue;
-      }
-      const int first = c;
-      while (c < columns_ && marks[c] != 0) ++c;
-      runs_.push_back(
-          {static_cast<std::uint16_t>(r), static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(c - first)});
+  for (std::size_t w = 0; w < marks_.size(); ++w) {
+    const auto row = static_cast<std::uint16_t>(w / words_);
+    std::uint64_t left = marks_[w];
+    for (std::size_t bit = 0; left != 0;) {
+      const auto gap = static_cast<std::size_t>(std::countr_zero(left));
+      left >>= gap;
+      const auto length = static_cast<std::size_t>(std::countr_one(left));
+      const auto first = static_cast<std::uint16_t>(w % words_ * 64 + bit + gap);
+      if (!runs_.empty() && runs_.back().row == row && runs_.back().first + runs_.back().count == first)
+        runs_.back().count = static_cast<std::uint16_t>(runs_.back().count + length);  // on from the word before
+      else
+        runs_.push_back({row, first, static_cast<std::uint16_t>(length)});
+      left = length == 64 ? 0 : left >> length;
+      bit += gap + length;
     }
   }
 }

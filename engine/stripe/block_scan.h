@@ -58,7 +58,9 @@ class BlockScan {
   float noiseDn_ = 0, backgroundDn_ = 0;
   float minimumBiasDn_ = 0;  // how far the darkest of a window lies below its mean because of noise
   // Grids with a margin around them, so that windows need no bounds.
-  Grid sums_, rowMinima_, background_, excess_, marks_;
+  Grid sums_, rowMinima_, background_, excess_;
+  std::vector<std::uint64_t> marks_;  // one bit a block, words_ of them a row
+  std::size_t words_ = 0;
   std::vector<std::uint16_t> differences_, sampled_;  // of the block rows that are sampled for the noise
   std::vector<std::uint32_t> histogram_;
   std::vector<BlockRun> runs_;

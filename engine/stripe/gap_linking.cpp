@@ -15,17 +15,17 @@ struct Direction {
 };
 
 /// Orthogonal regression.
-Direction regression(std::span<const RidgePoint> points) {
+Direction regression(const RidgeArrays& points, std::size_t first, std::size_t count) {
   double mx = 0, my = 0;
-  for (const RidgePoint& p : points) {
-    mx += p.x;
-    my += p.y;
+  for (std::size_t i = first; i < first + count; ++i) {
+    mx += points.x[i];
+    my += points.y[i];
   }
-  mx /= static_cast<double>(points.size());
-  my /= static_cast<double>(points.size());
+  mx /= static_cast<double>(count);
+  my /= static_cast<double>(count);
   double sxx = 0, sxy = 0, syy = 0;
-  for (const RidgePoint& p : points) {
-    const double x = p.x - mx, y = p.y - my;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const double x = points.x[i] - mx, y = points.y[i] - my;
     sxx += x * x;
     sxy += x * y;
     syy += y * y;
@@ -36,18 +36,16 @@ Direction regression(std::span<const RidgePoint> points) {
 
 }  // namespace
 
-void GapLinker::link(std::span<const RidgePoint> points, std::span<const LinePiece> pieces,
-                     const GapSettings& settings) {
+void GapLinker::link(const RidgeArrays& points, std::span<const LinePiece> pieces, const GapSettings& settings) {
   ends_.clear();
   for (const LinePiece& piece : pieces) {
-    const auto line = points.subspan(piece.first, piece.count);
-    const auto used = std::min<std::size_t>(static_cast<std::size_t>(5 * settings.sigma) + 3, line.size());
+    const auto used = std::min(static_cast<std::uint32_t>(5 * settings.sigma) + 3, piece.count);
     for (const bool atStop : {false, true}) {
-      const auto part = atStop ? line.last(used) : line.first(used);
-      const RidgePoint &end = atStop ? part.back() : part.front(), &inner = atStop ? part.front() : part.back();
-      Direction d = regression(part);
-      if ((end.x - inner.x) * d.dx + (end.y - inner.y) * d.dy < 0) d = {-d.dx, -d.dy};
-      ends_.push_back({end.x, end.y, d.dx, d.dy});
+      const std::size_t first = atStop ? piece.first + piece.count - used : piece.first, last = first + used - 1;
+      const std::size_t end = atStop ? last : first, inner = atStop ? first : last;
+      Direction d = regression(points, first, used);
+      if ((points.x[end] - points.x[inner]) * d.dx + (points.y[end] - points.y[inner]) * d.dy < 0) d = {-d.dx, -d.dy};
+      ends_.push_back({points.x[end], points.y[end], d.dx, d.dy});
     }
   }
   findBridges(settings);

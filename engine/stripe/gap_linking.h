@@ -29,7 +29,7 @@ struct LineChain {
 /// The cheapest links first (short and straight); every end is used once. Buffers live from frame to frame.
 class GapLinker {
  public:
-  void link(std::span<const RidgePoint> points, std::span<const LinePiece> pieces, const GapSettings& settings);
+  void link(const RidgeArrays& points, std::span<const LinePiece> pieces, const GapSettings& settings);
   [[nodiscard]] const std::vector<LineChain>& chains() const { return chains_; }
   [[nodiscard]] const std::vector<ChainLink>& links() const { return links_; }
 

@@ -14,10 +14,13 @@ constexpr float kLeastPart = 3;       // sigma of trusted points, or the end sta
 constexpr float kEdgeShare = 0.45F;
 constexpr float kLargestStepAside = 1;  // px between one point and the next, off the expected direction
 
-float distance(const RidgePoint& a, const RidgePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+float distance(const RidgePoint& a, const RidgePoint& b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
-/// Index of the last point at least `way` px along the line before points[from]; 0 if there is none.
-std::size_t back(std::span<const RidgePoint> points, std::size_t from, float way) {
+/// Place of the last point at least `way` px along the line before place `from`; 0 if there is none.
+template <class Points>
+std::size_t back(const Points& points, std::size_t from, float way) {
   while (from > 0 && way > 0) {
     way -= distance(points[from], points[from - 1]);
     --from;
@@ -29,44 +32,44 @@ float angleBetween(float ax, float ay, float bx, float by) { return std::atan2(a
 
 }  // namespace
 
-LineEnds::LineEnds() : band_(std::make_unique<RidgeBand>()), patch_(std::size_t{kPatch + 2} * (kPatch + 2)) {}
+class LineEnds::Outwards {
+ public:
+  Outwards(const RidgeArrays& points, std::span<const std::uint32_t> order, bool reversed)
+      : points_(points), order_(order), reversed_(reversed) {}
+  [[nodiscard]] std::size_t size() const { return order_.size(); }
+  [[nodiscard]] RidgePoint operator[](std::size_t place) const {
+    return points_.at(order_[reversed_ ? order_.size() - 1 - place : place]);
+  }
 
-LineEnds::Trusted LineEnds::trustedPart(std::span<const RidgePoint> outwards) const {
+ private:
+  const RidgeArrays& points_;
+  std::span<const std::uint32_t> order_;
+  bool reversed_;
+};
+
+LineEnds::Trusted LineEnds::trustedPart(const Outwards& points) const {
   Trusted trusted;
-  trusted.last = back(outwards, outwards.size() - 1, kUntouched * sigma_);
-  const std::size_t first = back(outwards, trusted.last, kCurvatureOver * sigma_), middle = (first + trusted.last) / 2;
-  const RidgePoint &a = outwards[first], &b = outwards[middle], &c = outwards[trusted.last];
+  trusted.last = back(points, points.size() - 1, kUntouched * sigma_);
+  const std::size_t first = back(points, trusted.last, kCurvatureOver * sigma_), middle = (first + trusted.last) / 2;
+  const RidgePoint a = points[first], b = points[middle], c = points[trusted.last];
   const float before = distance(a, b), behind = distance(b, c);
   if (std::min(before, behind) > sigma_)
     trusted.curvature = 2 * angleBetween(b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y) / (before + behind);
-  const std::size_t near = back(outwards, trusted.last, kChord * sigma_);
-  for (std::size_t i = near; i <= trusted.last; ++i) trusted.ridge += outwards[i].ridge;
+  const std::size_t near = back(points, trusted.last, kChord * sigma_);
+  for (std::size_t i = near; i <= trusted.last; ++i) trusted.ridge += points[i].ridge;
   trusted.ridge /= static_cast<float>(trusted.last - near + 1);
   return trusted;
 }
 
-void LineEnds::smoothAround(const ImageView& image, const RidgeFilter& filter, int column, int row) {
-  patchColumn_ = column - kPatch / 2;
-  patchRow_ = row - kPatch / 2;
-  for (int y = 0; y < kPatch; y += kBandHeight) {
-    const auto [pixels, stride] = window_.at(image, filter, patchColumn_, patchRow_ + y, kPatch);
-    smoothBand(pixels, stride, kPatch, filter, *band_);
-    for (int r = 0; r < kBandHeight + 2; ++r)
-      std::copy_n(band_->smoothed[static_cast<std::size_t>(r)].begin(), kPatch + 2,
-                  patch_.begin() + static_cast<std::ptrdiff_t>(y + r) * (kPatch + 2));
-  }
-}
-
 // The line's point on the way (nx, ny) through the pixel at (x, y), from the same differences as everywhere.
-bool LineEnds::measure(float x, float y, float nx, float ny, RidgePoint& point) const {
+bool LineEnds::measure(const ImageView& image, const RidgeFilter& filter, float x, float y, float nx, float ny,
+                       RidgePoint& point) {
   const int column = static_cast<int>(std::lround(x)), row = static_cast<int>(std::lround(y));
-  const int i = column - patchColumn_, j = row - patchRow_;
-  if (i < 0 || j < 0 || i >= kPatch || j >= kPatch) return false;
-  constexpr std::ptrdiff_t kPitch = kPatch + 2;
-  const float* s = patch_.data() + (j + 1) * kPitch + i + 1;
-  const float dx = (s[1] - s[-1]) / 2, dy = (s[kPitch] - s[-kPitch]) / 2;
-  const float dxx = s[1] + s[-1] - 2 * s[0], dyy = s[kPitch] + s[-kPitch] - 2 * s[0];
-  const float dxy = (s[kPitch + 1] - s[kPitch - 1] - s[1 - kPitch] + s[-1 - kPitch]) / 4;
+  const auto [pixels, stride] = window_.at(image, filter, column, row, 1);
+  const std::array<float, 9> s = smoothedAround(pixels, stride, filter);
+  const float dx = (s[5] - s[3]) / 2, dy = (s[7] - s[1]) / 2;
+  const float dxx = s[5] + s[3] - 2 * s[4], dyy = s[7] + s[1] - 2 * s[4];
+  const float dxy = (s[8] - s[6] - s[2] + s[0]) / 4;
   const float ridge = -(dxx * nx * nx + 2 * dxy * nx * ny + dyy * ny * ny);
   if (!(ridge > 0)) return false;
   const float t = (dx * nx + dy * ny) / ridge;
@@ -75,66 +78,77 @@ bool LineEnds::measure(float x, float y, float nx, float ny, RidgePoint& point) 
            nx,
            ny,
            ridge,
-           s[0],
-           static_cast<std::uint16_t>(std::max(0, column)),
-           static_cast<std::uint16_t>(std::max(0, row))};
+           s[4],
+           dy * nx - dx * ny,
+           packedPixel(column, row)};
   return true;
 }
 
-void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, std::span<const RidgePoint> outwards,
-                      const Trusted& trusted) {
-  traced_.assign(outwards.begin(), outwards.begin() + static_cast<std::ptrdiff_t>(trusted.last) + 1);
+/// Goes on from the last of traced_.
+void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, const Trusted& trusted) {
   const float least = std::max(filter.leastRidge, kEdgeShare * trusted.ridge);
   const auto steps = static_cast<int>(2 * kUntouched * sigma_);
-  patchColumn_ = patchRow_ = -2 * kPatch;  // nothing smoothed yet
   for (int step = 0; step < steps; ++step) {
-    const RidgePoint& last = traced_.back();
-    const std::size_t from = back(traced_, traced_.size() - 1, kChord * sigma_);
-    const float chord = distance(traced_[from], last);
+    const RidgePoint last = traced_.back();
+    const RidgePoint& from = traced_[back(traced_, traced_.size() - 1, kChord * sigma_)];
+    const float chord = distance(from, last);
     if (chord < sigma_) return;
     // The chord's direction is that of its middle.
-    const float turn = trusted.curvature * chord / 2, cx = (last.x - traced_[from].x) / chord,
-                cy = (last.y - traced_[from].y) / chord;
-    const float tx = cx * std::cos(turn) - cy * std::sin(turn), ty = cx * std::sin(turn) + cy * std::cos(turn);
+    const float turn = trusted.curvature * chord / 2, cx = (last.x - from.x) / chord, cy = (last.y - from.y) / chord;
+    const float c = std::cos(turn), s = std::sin(turn), tx = cx * c - cy * s, ty = cx * s + cy * c;
     float x = last.x + tx, y = last.y + ty;
-    if (std::lround(x) == last.column && std::lround(y) == last.row) {  // still the same pixel
+    if (std::lround(x) == columnOf(last.pixel) && std::lround(y) == rowOf(last.pixel)) {  // still the same pixel
       x += 0.5F * tx;
       y += 0.5F * ty;
     }
     if (x < 0 || y < 0 || x > static_cast<float>(image.width - 1) || y > static_cast<float>(image.height - 1)) return;
-    const int column = static_cast<int>(std::lround(x)), row = static_cast<int>(std::lround(y));
-    if (std::abs(column - patchColumn_ - kPatch / 2) > kPatch / 2 - 1 ||
-        std::abs(row - patchRow_ - kPatch / 2) > kPatch / 2 - 1)
-      smoothAround(image, filter, column + static_cast<int>(tx * kPatch / 3), row + static_cast<int>(ty * kPatch / 3));
     RidgePoint next;
-    if (!measure(x, y, -ty, tx, next) || next.ridge < least) return;
+    if (!measure(image, filter, x, y, -ty, tx, next) || next.ridge < least) return;
     const float ex = next.x - last.x, ey = next.y - last.y;
     if (std::abs(ey * tx - ex * ty) > kLargestStepAside || ex * tx + ey * ty < 0.05F) return;
     traced_.push_back(next);
   }
 }
 
-void LineEnds::retrace(const ImageView& image, const RidgeFilter& filter, const LineLinker& lines) {
+bool LineEnds::retraceEnd(const ImageView& image, const RidgeFilter& filter, const Outwards& points, Trusted& trusted,
+                          std::vector<RidgePoint>& tail) {
+  trusted = trustedPart(points);
+  const std::size_t start = back(points, trusted.last, kLeastPart * sigma_);
+  if (distance(points[start], points[trusted.last]) < kLeastPart * sigma_) return false;
+  traced_.clear();
+  for (std::size_t i = start; i <= trusted.last; ++i) traced_.push_back(points[i]);
+  const std::size_t known = traced_.size();
+  follow(image, filter, trusted);
+  tail.assign(traced_.begin() + static_cast<std::ptrdiff_t>(known), traced_.end());
+  return true;
+}
+
+void LineEnds::retrace(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges,
+                       const LineLinker& lines) {
   sigma_ = std::sqrt(static_cast<float>(filter.variancePx2));
-  points_.clear();
+  const RidgeArrays& all = ridges.points();
+  const auto tailLength = static_cast<std::size_t>(2 * kUntouched * sigma_) + 1;
+  std::size_t total = 0;
+  for (const LinePiece& piece : lines.pieces()) total += piece.count + 2 * tailLength;
+  points_.reserve(total);
+  points_.size = 0;
   pieces_.clear();
   for (const LinePiece& piece : lines.pieces()) {
-    const auto whole = std::span(lines.points()).subspan(piece.first, piece.count);
-    const auto first = static_cast<std::uint32_t>(points_.size());
-    points_.insert(points_.end(), whole.begin(), whole.end());
-    // Once for each end: the piece is turned round in between, and once more at last.
-    for (int end = 0; end < 2; ++end) {
-      const auto piecePoints = std::span(points_).subspan(first);
-      const Trusted trusted = trustedPart(piecePoints);
-      const std::size_t start = back(piecePoints, trusted.last, kLeastPart * sigma_);
-      if (distance(piecePoints[start], piecePoints[trusted.last]) >= kLeastPart * sigma_) {
-        follow(image, filter, piecePoints, trusted);
-        points_.resize(first);
-        points_.insert(points_.end(), traced_.begin(), traced_.end());
-      }
-      std::reverse(points_.begin() + first, points_.end());
+    const std::span<const std::uint32_t> order = lines.order(piece);
+    const std::size_t last = order.size() - 1;
+    Trusted atHead, atStop;
+    const bool retraced = retraceEnd(image, filter, {all, order, true}, atHead, head_) &&
+                          retraceEnd(image, filter, {all, order, false}, atStop, stop_) &&
+                          last - atHead.last <= atStop.last;
+    const auto first = static_cast<std::uint32_t>(points_.size);
+    if (!retraced) {
+      for (const std::uint32_t i : order) points_.push(all.at(i));
+    } else {
+      for (auto p = head_.rbegin(); p != head_.rend(); ++p) points_.push(*p);
+      for (std::size_t k = last - atHead.last; k <= atStop.last; ++k) points_.push(all.at(order[k]));
+      for (const RidgePoint& p : stop_) points_.push(p);
     }
-    pieces_.push_back({first, static_cast<std::uint32_t>(points_.size()) - first});
+    pieces_.push_back({first, static_cast<std::uint32_t>(points_.size) - first});
   }
 }
 

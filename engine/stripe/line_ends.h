@@ -3,7 +3,6 @@
 // away and the ridge forks around the corners of the end (0.2 to 7 px off). The line is therefore followed to its end
 // once more with the direction it comes from, instead of the direction found on the spot.
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,32 +15,32 @@ namespace vignole {
 /// Buffers live from frame to frame.
 class LineEnds {
  public:
-  LineEnds();
   /// A piece too short to have a part that its ends do not touch (7 sigma) stays as it is.
-  void retrace(const ImageView& image, const RidgeFilter& filter, const LineLinker& lines);
+  void retrace(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges, const LineLinker& lines);
+  /// `first` and `count` of each among points().
   [[nodiscard]] const std::vector<LinePiece>& pieces() const { return pieces_; }
-  [[nodiscard]] const std::vector<RidgePoint>& points() const { return points_; }
+  [[nodiscard]] const RidgeArrays& points() const { return points_; }
 
  private:
+  /// One end of a piece, from the inside outwards.
+  class Outwards;
   struct Trusted {
-    std::size_t last = 0;  // index of the last point that the end does not touch
+    std::size_t last = 0;  // place of the last point that the end does not touch
     float curvature = 0;   // 1/px, positive turns from x towards y
     float ridge = 0;       // mean second derivative there
   };
-  [[nodiscard]] Trusted trustedPart(std::span<const RidgePoint> outwards) const;
-  void follow(const ImageView& image, const RidgeFilter& filter, std::span<const RidgePoint> outwards,
-              const Trusted& trusted);
-  void smoothAround(const ImageView& image, const RidgeFilter& filter, int column, int row);
-  [[nodiscard]] bool measure(float x, float y, float nx, float ny, RidgePoint& point) const;
+  [[nodiscard]] Trusted trustedPart(const Outwards& points) const;
+  /// Fills `tail` with the points behind the trusted ones; false: the end stays as it is.
+  bool retraceEnd(const ImageView& image, const RidgeFilter& filter, const Outwards& points, Trusted& trusted,
+                  std::vector<RidgePoint>& tail);
+  void follow(const ImageView& image, const RidgeFilter& filter, const Trusted& trusted);
+  [[nodiscard]] bool measure(const ImageView& image, const RidgeFilter& filter, float x, float y, float nx, float ny,
+                             RidgePoint& point);
 
-  static constexpr int kPatch = 32;  // px, a whole number of bands
   float sigma_ = 3;
-  std::unique_ptr<RidgeBand> band_;
   BandWindow window_;
-  int patchColumn_ = 0, patchRow_ = 0;  // of the patch's first pixel
-  std::vector<float> patch_;            // (kPatch + 2) squared: one more to all sides
-  std::vector<RidgePoint> traced_;
-  std::vector<RidgePoint> points_;
+  std::vector<RidgePoint> traced_, head_, stop_;
+  RidgeArrays points_;
   std::vector<LinePiece> pieces_;
 };
 

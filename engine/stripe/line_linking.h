@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/stripe/ridge_points.h"
 
 namespace vignole {
 
-/// Points `first` .. `first + count`, in order along the line, of the list that belongs to it.
+/// Entries `first` .. `first + count`, in order along the line, of the list that belongs to it.
 struct LinePiece {
   std::uint32_t first = 0, count = 0;
 };
@@ -25,19 +26,24 @@ class LineLinker {
  public:
   void link(const RidgePoints& ridges, const LinkingSettings& settings);
   [[nodiscard]] const std::vector<LinePiece>& pieces() const { return pieces_; }
-  /// Of all pieces, one after the other.
-  [[nodiscard]] const std::vector<RidgePoint>& points() const { return points_; }
+  /// Indices of the ridge points of one piece, in order.
+  [[nodiscard]] std::span<const std::uint32_t> order(const LinePiece& piece) const {
+    return std::span(order_).subspan(piece.first, piece.count);
+  }
 
  private:
-  void collectSeeds(const std::vector<RidgePoint>& points, float highRidge);
-  void walk(const RidgePoints& ridges, std::uint32_t from, float tx, float ty, std::vector<std::uint32_t>& out);
-  int successor(const RidgePoints& ridges, const RidgePoint& p, float tx, float ty);
-  int successorBeyond(const RidgePoints& ridges, const RidgePoint& p, float tx, float ty) const;
+  /// Where a walk is, and the unit vector on which it goes on.
+  struct Step {
+    std::uint32_t at = 0;
+    float tx = 0, ty = 0;
+  };
+  void collectSeeds(const RidgeArrays& points, float highRidge);
+  void walk(const RidgePoints& ridges, Step from, std::vector<std::uint32_t>& out);
+  int successor(const RidgePoints& ridges, const Step& from);
+  [[nodiscard]] int successorBeyond(const RidgePoints& ridges, const Step& from) const;
 
-  std::vector<std::uint8_t> used_;
-  std::vector<std::uint32_t> seeds_, forward_, backward_;
-  std::vector<RidgePoint> points_;
-  std::vector<std::uint8_t> seedLevel_;
+  std::vector<std::uint8_t> used_, seedLevel_;
+  std::vector<std::uint32_t> seeds_, backward_, order_;
   std::vector<LinePiece> pieces_;
 };
 

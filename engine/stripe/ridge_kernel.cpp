@@ -1,5 +1,6 @@
 #include "engine/stripe/ridge_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -18,6 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 const hn::ScalableTag<float> kFloats;
 const hn::Rebind<std::uint8_t, decltype(kFloats)> kBytes;
 const hn::Rebind<std::int32_t, decltype(kFloats)> kInts;
+const hn::Rebind<std::uint32_t, decltype(kFloats)> kPixels;
 using Floats = hn::Vec<decltype(kFloats)>;
 constexpr int kRows = kBandHeight + 2;
 
@@ -58,57 +60,86 @@ HWY_INLINE void smoothRows(const float* taps, int length, std::size_t i, RidgeBa
   }
 }
 
-// Steger's test on one vector of pixels; `s` points at the pixel one row and one column before in the smoothed band.
-HWY_INLINE std::size_t testPixels(const float* s, std::size_t width, int column, int row, float leastRidge,
-                                  RidgePoint* out) {
+// A pixel may hold a point if the line's distance along its normal, by an approximate direction, is at most half a
+// diagonal (with a margin that covers the approximation). `s` points at the pixel one row and one column before in the
+// smoothed band.
+HWY_INLINE void gatherCandidates(const float* s, std::size_t width, std::uint32_t pixel, float leastRidge,
+                                 RidgeCandidates& out) {
   constexpr std::size_t kPitch = RidgeBand::kPitch;
   const auto at = [s](std::size_t y, std::size_t x) HWY_ATTR { return hn::LoadU(kFloats, s + y * kPitch + x); };
-  const Floats half = hn::Set(kFloats, 0.5F), quarter = hn::Set(kFloats, 0.25F), least = hn::Set(kFloats, leastRidge);
+  const Floats half = hn::Set(kFloats, 0.5F), quarter = hn::Set(kFloats, 0.25F);
   const Floats centre = at(1, 1), left = at(1, 0), right = at(1, 2), above = at(0, 1), below = at(2, 1);
   const Floats twice = hn::Add(centre, centre);
   const Floats dxx = hn::Sub(hn::Add(left, right), twice), dyy = hn::Sub(hn::Add(above, below), twice);
   const Floats mean = hn::Mul(hn::Add(dxx, dyy), half);
   // A ridge (the other eigenvalue smaller in size) of at least `least` has a mean of its eigenvalues below -least / 2.
-  if (hn::AllFalse(kFloats, hn::Lt(mean, hn::Mul(least, hn::Set(kFloats, -0.5F))))) return 0;
+  const auto steep = hn::Lt(mean, hn::Set(kFloats, -0.499F * leastRidge));
+  if (hn::AllFalse(kFloats, steep)) return;
 
   const Floats dx = hn::Mul(hn::Sub(right, left), half), dy = hn::Mul(hn::Sub(below, above), half);
   const Floats dxy = hn::Mul(hn::Add(hn::Sub(at(2, 2), at(2, 0)), hn::Sub(at(0, 0), at(0, 2))), quarter);
   const Floats difference = hn::Mul(hn::Sub(dxx, dyy), half);
-  const Floats root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(dxy, dxy)));
-  const Floats eigenvalue = hn::Sub(mean, root), ridge = hn::Neg(eigenvalue);
-  // Eigenvector of the lower eigenvalue, in the form whose terms do not cancel.
-  const auto mostlyAlongY = hn::Gt(difference, hn::Zero(kFloats));
-  const Floats nx = hn::IfThenElse(mostlyAlongY, hn::Neg(dxy), hn::Sub(root, difference));
-  const Floats ny = hn::IfThenElse(mostlyAlongY, hn::Add(difference, root), hn::Neg(dxy));
-  const Floats length2 = hn::Add(hn::MulAdd(nx, nx, hn::Mul(ny, ny)), hn::Set(kFloats, 1e-20F));
-  const Floats step = hn::Div(hn::MulAdd(dx, nx, hn::Mul(dy, ny)), hn::Mul(ridge, length2));
-  const Floats x = hn::Mul(step, nx), y = hn::Mul(step, ny);
-  const auto inPixel = hn::And(hn::Le(hn::Abs(x), half), hn::Le(hn::Abs(y), half));
-  const auto found = hn::And(hn::And(hn::Ge(ridge, least), hn::Ge(ridge, hn::Abs(hn::Add(mean, root)))), inPixel);
-  if (hn::AllFalse(kFloats, found)) return 0;
+  const Floats square = hn::MulAdd(difference, difference, hn::MulAdd(dxy, dxy, hn::Set(kFloats, 1e-20F)));
+  const Floats perRoot = hn::ApproximateReciprocalSqrt(square);
+  const Floats ridge = hn::Sub(hn::Mul(square, perRoot), mean);
+  const Floats dx2 = hn::Mul(dx, dx), dy2 = hn::Mul(dy, dy), dxdy = hn::Mul(dx, dy);
+  // Twice the squared gradient along the normal, whose double angle is that of (-difference, -dxy).
+  const Floats turned = hn::MulAdd(hn::Sub(dx2, dy2), difference, hn::Mul(hn::Add(dxdy, dxdy), dxy));
+  const Floats across2 = hn::NegMulAdd(turned, perRoot, hn::Add(dx2, dy2));
+  const auto near = hn::Lt(across2, hn::Mul(hn::Mul(ridge, ridge), hn::Set(kFloats, 1.02F)));
+  const auto found = hn::And(hn::And(steep, near), hn::FirstN(kFloats, width));
+  const std::size_t count = hn::CountTrue(kFloats, found);
+  if (count == 0) return;
+  const std::size_t n = out.size;
+  hn::StoreU(hn::Compress(dx, found), kFloats, out.dx.data() + n);
+  hn::StoreU(hn::Compress(dy, found), kFloats, out.dy.data() + n);
+  hn::StoreU(hn::Compress(dxx, found), kFloats, out.dxx.data() + n);
+  hn::StoreU(hn::Compress(dxy, found), kFloats, out.dxy.data() + n);
+  hn::StoreU(hn::Compress(dyy, found), kFloats, out.dyy.data() + n);
+  hn::StoreU(hn::Compress(centre, found), kFloats, out.smoothed.data() + n);
+  const auto pixels = hn::Iota(kPixels, pixel);
+  hn::StoreU(hn::Compress(pixels, hn::RebindMask(kPixels, found)), kPixels, out.pixel.data() + n);
+  out.size = n + count;
+}
 
-  constexpr std::size_t kLanes = HWY_MAX_BYTES / sizeof(float);
-  alignas(HWY_MAX_BYTES) float xs[kLanes], ys[kLanes], nxs[kLanes], nys[kLanes], ridges[kLanes], centres[kLanes];
-  const Floats unit = hn::Div(hn::Set(kFloats, 1.0F), hn::Sqrt(length2));
-  hn::Store(x, kFloats, xs);
-  hn::Store(y, kFloats, ys);
-  hn::Store(hn::Mul(nx, unit), kFloats, nxs);
-  hn::Store(hn::Mul(ny, unit), kFloats, nys);
-  hn::Store(ridge, kFloats, ridges);
-  hn::Store(centre, kFloats, centres);
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(kFloats, found, bytes);
-  std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U;
-  if (width < 16) bits &= (1U << width) - 1;
-  std::size_t count = 0;
-  for (; bits != 0; bits &= bits - 1) {
-    const auto k = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-    const int pixelColumn = column + static_cast<int>(k);
-    out[count++] = {
-        static_cast<float>(pixelColumn) + xs[k], static_cast<float>(row) + ys[k], nxs[k], nys[k], ridges[k], centres[k],
-        static_cast<std::uint16_t>(pixelColumn), static_cast<std::uint16_t>(row)};
+void testCandidates(const RidgeCandidates& in, float leastRidge, RidgeArrays& out) {
+  const Floats half = hn::Set(kFloats, 0.5F), least = hn::Set(kFloats, leastRidge);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < in.size; i += hn::Lanes(kFloats)) {
+    const Floats dx = hn::LoadU(kFloats, in.dx.data() + i), dy = hn::LoadU(kFloats, in.dy.data() + i);
+    const Floats dxx = hn::LoadU(kFloats, in.dxx.data() + i), dyy = hn::LoadU(kFloats, in.dyy.data() + i);
+    const Floats dxy = hn::LoadU(kFloats, in.dxy.data() + i);
+    const auto pixel = hn::LoadU(kPixels, in.pixel.data() + i);
+    const Floats mean = hn::Mul(hn::Add(dxx, dyy), half), difference = hn::Mul(hn::Sub(dxx, dyy), half);
+    const Floats root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(dxy, dxy)));
+    const Floats ridge = hn::Sub(root, mean);
+    // Eigenvector of the lower eigenvalue, in the form whose terms do not cancel.
+    const auto mostlyAlongY = hn::Gt(difference, hn::Zero(kFloats));
+    const Floats nx = hn::IfThenElse(mostlyAlongY, hn::Neg(dxy), hn::Sub(root, difference));
+    const Floats ny = hn::IfThenElse(mostlyAlongY, hn::Add(difference, root), hn::Neg(dxy));
+    const Floats length2 = hn::Add(hn::MulAdd(nx, nx, hn::Mul(ny, ny)), hn::Set(kFloats, 1e-20F));
+    const Floats step = hn::Div(hn::MulAdd(dx, nx, hn::Mul(dy, ny)), hn::Mul(ridge, length2));
+    const Floats x = hn::Mul(step, nx), y = hn::Mul(step, ny);
+    const auto inPixel = hn::And(hn::Le(hn::Abs(x), half), hn::Le(hn::Abs(y), half));
+    const auto strong = hn::And(hn::Ge(ridge, least), hn::Ge(ridge, hn::Abs(hn::Add(mean, root))));
+    const auto found = hn::And(hn::And(strong, inPixel), hn::FirstN(kFloats, in.size - i));
+    const Floats unit = hn::Div(hn::Set(kFloats, 1.0F), hn::Sqrt(length2));
+    const auto column = hn::And(pixel, hn::Set(kPixels, 0xFFFFU)), row = hn::ShiftRight<16>(pixel);
+    const auto asFloat = [](auto v) HWY_ATTR { return hn::ConvertTo(kFloats, hn::BitCast(kInts, v)); };
+    const auto store = [&](Floats v, std::vector<float>& to)
+                           HWY_ATTR { hn::StoreU(hn::Compress(v, found), kFloats, to.data() + n); };
+    store(hn::Add(asFloat(column), x), out.x);
+    store(hn::Add(asFloat(row), y), out.y);
+    const Floats unitX = hn::Mul(nx, unit), unitY = hn::Mul(ny, unit);
+    store(unitX, out.nx);
+    store(unitY, out.ny);
+    store(hn::MulSub(dy, unitX, hn::Mul(dx, unitY)), out.along);
+    store(ridge, out.ridge);
+    store(hn::LoadU(kFloats, in.smoothed.data() + i), out.smoothed);
+    hn::StoreU(hn::Compress(pixel, hn::RebindMask(kPixels, found)), kPixels, out.pixel.data() + n);
+    n += hn::CountTrue(kFloats, found);
   }
-  return count;
+  out.size = n;
 }
 
 void smooth(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter, RidgeBand& band) {
@@ -119,17 +150,39 @@ void smooth(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const 
   for (std::size_t i = 0; i < inner + 2; i += lanes) smoothRows(filter.taps.data(), length, i, band);
 }
 
-std::size_t findPoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int column, int row,
-                       const RidgeFilter& filter, RidgeBand& band) {
+void findCandidates(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int height, int column, int row,
+                    const RidgeFilter& filter, RidgeBand& band, RidgeCandidates& candidates) {
   smooth(pixels, stride, width, filter, band);
-  const std::size_t lanes = hn::Lanes(kFloats);
   const auto inner = static_cast<std::size_t>(width);
-  std::size_t count = 0;
-  for (int y = 0; y < kBandHeight; ++y)
-    for (std::size_t i = 0; i < inner; i += lanes)
-      count += testPixels(band.smoothed[static_cast<std::size_t>(y)].data() + i, inner - i,
-                          column + static_cast<int>(i), row + y, filter.leastRidge, band.points.data() + count);
-  return count;
+  for (int y = 0; y < height; ++y)
+    for (std::size_t i = 0; i < inner; i += hn::Lanes(kFloats))
+      gatherCandidates(band.smoothed[static_cast<std::size_t>(y)].data() + i, inner - i,
+                       packedPixel(column + static_cast<int>(i), row + y), filter.leastRidge, candidates);
+}
+
+void smoothNine(const std::uint8_t* pixels, std::ptrdiff_t stride, const RidgeFilter& filter, float* nine) {
+  constexpr std::size_t kColumns = 2 * kMaxFilterRadius + 3 + 16;
+  float vertical[3][kColumns];
+  const int length = 2 * filter.radius + 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(length) + 2; i += hn::Lanes(kFloats)) {
+    Floats first = hn::Zero(kFloats), second = first, third = first;
+    for (int r = 0; r < length; ++r) {
+      const Floats tap = hn::Set(kFloats, filter.taps[static_cast<std::size_t>(r)]);
+      const std::uint8_t* p = pixels + r * stride + i;
+      first = hn::MulAdd(load(p), tap, first);
+      second = hn::MulAdd(load(p + stride), tap, second);
+      third = hn::MulAdd(load(p + 2 * stride), tap, third);
+    }
+    hn::StoreU(first, kFloats, vertical[0] + i);
+    hn::StoreU(second, kFloats, vertical[1] + i);
+    hn::StoreU(third, kFloats, vertical[2] + i);
+  }
+  for (int row = 0; row < 3; ++row)
+    for (int shift = 0; shift < 3; ++shift) {
+      float sum = 0;
+      for (int k = 0; k < length; ++k) sum += vertical[row][k + shift] * filter.taps[static_cast<std::size_t>(k)];
+      nine[3 * row + shift] = sum;
+    }
 }
 
 const char* targetName() { return hwy::TargetName(HWY_TARGET); }
@@ -141,8 +194,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace vignole {
 
-HWY_EXPORT(findPoints);
-HWY_EXPORT(smooth);
+HWY_EXPORT(findCandidates);
+HWY_EXPORT(testCandidates);
+HWY_EXPORT(smoothNine);
 HWY_EXPORT(targetName);
 
 RidgeFilter ridgeFilter(double sigma, double leastRidge) {
@@ -177,14 +231,52 @@ RidgeFilter ridgeFilter(double sigma, double leastRidge) {
   return filter;
 }
 
-std::span<const RidgePoint> findRidgePoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int column,
-                                            int row, const RidgeFilter& filter, RidgeBand& band) {
-  return {band.points.data(), HWY_DYNAMIC_DISPATCH(findPoints)(pixels, stride, width, column, row, filter, band)};
+namespace {
+
+constexpr std::size_t kBehind = 64;  // more than any vector
+
+template <class Vector>
+void grow(Vector& values, std::size_t count) {
+  if (values.size() < count + kBehind) values.resize(count + kBehind);
 }
 
-void smoothBand(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter,
-                RidgeBand& band) {
-  HWY_DYNAMIC_DISPATCH(smooth)(pixels, stride, width, filter, band);
+}  // namespace
+
+void RidgeArrays::reserve(std::size_t count) {
+  for (auto* v : {&x, &y, &nx, &ny, &ridge, &smoothed, &along}) grow(*v, count);
+  grow(pixel, count);
+}
+
+void RidgeArrays::push(const RidgePoint& p) {
+  x[size] = p.x;
+  y[size] = p.y;
+  nx[size] = p.nx;
+  ny[size] = p.ny;
+  ridge[size] = p.ridge;
+  smoothed[size] = p.smoothed;
+  along[size] = p.along;
+  pixel[size++] = p.pixel;
+}
+
+void RidgeCandidates::reserve(std::size_t count) {
+  for (auto* v : {&dx, &dy, &dxx, &dxy, &dyy, &smoothed}) grow(*v, count);
+  grow(pixel, count);
+}
+
+void findRidgeCandidates(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int height, int column, int row,
+                         const RidgeFilter& filter, RidgeBand& band, RidgeCandidates& candidates) {
+  HWY_DYNAMIC_DISPATCH(findCandidates)(pixels, stride, width, height, column, row, filter, band, candidates);
+}
+
+void testRidgeCandidates(const RidgeCandidates& candidates, float leastRidge, RidgeArrays& points) {
+  points.reserve(candidates.size);
+  HWY_DYNAMIC_DISPATCH(testCandidates)(candidates, leastRidge, points);
+}
+
+std::array<float, 9> smoothedAround(const std::uint8_t* pixels, std::ptrdiff_t stride, const RidgeFilter& filter) {
+  std::array<float, 9> nine{};
+  HWY_DYNAMIC_DISPATCH(smoothNine)(pixels, stride, filter, nine.data());
+  return nine;
 }
 
 const char* simdTargetName() { return HWY_DYNAMIC_DISPATCH(targetName)(); }

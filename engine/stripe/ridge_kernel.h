@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 namespace vignole {
 
@@ -24,13 +24,40 @@ struct RidgeFilter {
 };
 [[nodiscard]] RidgeFilter ridgeFilter(double sigma, double leastRidge);
 
-/// A pixel through which a bright line passes.
+/// One pixel through which a bright line passes, by value.
 struct RidgePoint {
-  float x = 0, y = 0;    ///< point of the line nearest to the pixel's centre, px
-  float nx = 0, ny = 0;  ///< unit normal, either sign
-  float ridge = 0;       ///< second derivative across the line, negated, DN/px^2
-  float smoothed = 0;    ///< smoothed brightness of the pixel, DN
-  std::uint16_t column = 0, row = 0;
+  float x = 0, y = 0;       ///< point of the line nearest to the pixel's centre, px
+  float nx = 0, ny = 0;     ///< unit normal, either sign
+  float ridge = 0;          ///< second derivative across the line, negated, DN/px^2
+  float smoothed = 0;       ///< smoothed brightness of the pixel, DN
+  float along = 0;          ///< its derivative along the line, in direction (-ny, nx), DN/px
+  std::uint32_t pixel = 0;  ///< row << 16 | column
+};
+[[nodiscard]] constexpr std::uint32_t packedPixel(int column, int row) {
+  return static_cast<std::uint32_t>(row) << 16U | static_cast<std::uint32_t>(column);
+}
+[[nodiscard]] constexpr int columnOf(std::uint32_t pixel) { return static_cast<int>(pixel & 0xFFFFU); }
+[[nodiscard]] constexpr int rowOf(std::uint32_t pixel) { return static_cast<int>(pixel >> 16U); }
+
+/// Many of them, quantity by quantity. Grows and never shrinks; room for whole vectors behind the last.
+struct RidgeArrays {
+  std::vector<float> x, y, nx, ny, ridge, smoothed, along;
+  std::vector<std::uint32_t> pixel;
+  std::size_t size = 0;
+
+  void reserve(std::size_t count);
+  void push(const RidgePoint& p);  ///< room must have been reserved
+  [[nodiscard]] RidgePoint at(std::size_t i) const {
+    return {x[i], y[i], nx[i], ny[i], ridge[i], smoothed[i], along[i], pixel[i]};
+  }
+};
+
+/// Pixels that may hold a point, with the derivatives of the smoothed picture there. Same habits.
+struct RidgeCandidates {
+  std::vector<float> dx, dy, dxx, dxy, dyy, smoothed;
+  std::vector<std::uint32_t> pixel;
+  std::size_t size = 0;
+  void reserve(std::size_t count);
 };
 
 /// Work space of one thread.
@@ -38,19 +65,21 @@ struct RidgeBand {
   static constexpr std::size_t kPitch = kMaxBandWidth + 2 * kMaxFilterRadius + 2 + 38;  // whole vectors of 16 floats
   alignas(64) std::array<std::array<float, kPitch>, kBandHeight + 2> vertical{};
   alignas(64) std::array<std::array<float, kPitch>, kBandHeight + 2> smoothed{};
-  std::array<RidgePoint, static_cast<std::size_t>(kMaxBandWidth) * kBandHeight> points;
 };
 
-/// Points among the `width` x 8 pixels whose top-left one is (`column`, `row`), row by row. `pixels` is the sample at
-/// (column - radius - 1, row - radius - 1), readable for width + 2 radius + 2 + 64 columns of 2 radius + 10 rows.
-[[nodiscard]] std::span<const RidgePoint> findRidgePoints(const std::uint8_t* pixels, std::ptrdiff_t stride, int width,
-                                                          int column, int row, const RidgeFilter& filter,
-                                                          RidgeBand& band);
+/// Appends the candidates among the `width` x `height` (<= 8) pixels whose top-left one is (`column`, `row`), row by
+/// row. `pixels` is the sample at (column - radius - 1, row - radius - 1), readable for width + 2 radius + 2 + 64
+/// columns of 2 radius + 10 rows. Room for width x height more must have been reserved.
+void findRidgeCandidates(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int height, int column, int row,
+                         const RidgeFilter& filter, RidgeBand& band, RidgeCandidates& candidates);
 
-/// The smoothing alone: afterwards band.smoothed[1 + y][1 + x] belongs to pixel (column + x, row + y), one more to all
-/// sides. Same `pixels` as above.
-void smoothBand(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, const RidgeFilter& filter,
-                RidgeBand& band);
+/// The candidates that pass Steger's test, in their order. `points` is overwritten.
+void testRidgeCandidates(const RidgeCandidates& candidates, float leastRidge, RidgeArrays& points);
+
+/// The smoothed values of the 3 x 3 pixels around (column, row), row by row; `pixels` is the sample at
+/// (column - radius - 1, row - radius - 1), readable for 2 radius + 3 + 64 columns of 2 radius + 3 rows.
+[[nodiscard]] std::array<float, 9> smoothedAround(const std::uint8_t* pixels, std::ptrdiff_t stride,
+                                                  const RidgeFilter& filter);
 
 /// Name of the SIMD target in use; results are bit-equal on the same target.
 [[nodiscard]] const char* simdTargetName();

@@ -1,56 +1,64 @@
 #include "engine/stripe/ridge_points.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vignole {
 
 RidgePoints::RidgePoints() : band_(std::make_unique<RidgeBand>()) {}
 
-namespace {
-
-std::size_t pixelOfTile(int column, int row) {
-  const int pixel = (row % kBlock) * kBlock + column % kBlock;
-  return static_cast<std::size_t>(pixel);
-}
-
-}  // namespace
-
-std::uint16_t RidgePoints::tileAt(int column, int row) const {
-  const int block = (row / kBlock) * columns_ + column / kBlock;
-  return tileOfBlock_[static_cast<std::size_t>(block)];
-}
-
 int RidgePoints::indexAt(int column, int row) const {
   if (column < 0 || row < 0 || column >= width_ || row >= height_) return -1;
-  return static_cast<int>(tiles_[tileAt(column, row)][pixelOfTile(column, row)]) - 1;
+  const int block = (row / kBlock + 1) * (columns_ + 2) + column / kBlock + 1;
+  const std::ptrdiff_t pixel = (row % kBlock + 1) * kMapPitch + column % kBlock + 1;
+  return static_cast<int>(
+             maps_[mapOfBlock_[static_cast<std::size_t>(block)] * kMap + static_cast<std::size_t>(pixel)]) -
+         1;
 }
 
-void RidgePoints::findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width) {
-  const auto [pixels, stride] = window_.at(image, filter, column, row, width);
-  for (const RidgePoint& p : findRidgePoints(pixels, stride, width, column, row, filter, *band_)) {
-    if (p.column >= image.width || p.row >= image.height) continue;  // of a block that the edge cuts
-    points_.push_back(p);
-    tiles_[tileAt(p.column, p.row)][pixelOfTile(p.column, p.row)] = static_cast<std::uint32_t>(points_.size());
-  }
+// Into the map of its own block, and into those of the blocks that border on its pixel.
+void RidgePoints::enter(std::size_t i) {
+  const int column = columnOf(points_.pixel[i]), row = rowOf(points_.pixel[i]);
+  const int bx = column / kBlock, by = row / kBlock, x = column % kBlock, y = row % kBlock;
+  const auto index = static_cast<std::uint16_t>(i + 1);
+  const auto put = [&](int blockColumn, int blockRow, int px, int py) {
+    const std::size_t map = mapOfBlock(blockColumn, blockRow);
+    const std::size_t at = map * kMap + static_cast<std::size_t>((py + 1) * kMapPitch + px + 1);
+    if (map != 0) maps_[at] = index;
+    return at;
+  };
+  place_[i] = static_cast<std::uint32_t>(put(bx, by, x, y));
+  const int besideX = x == 0 ? -1 : (x == kBlock - 1 ? 1 : 0), besideY = y == 0 ? -1 : (y == kBlock - 1 ? 1 : 0);
+  if (besideX != 0) put(bx + besideX, by, x - besideX * kBlock, y);
+  if (besideY != 0) put(bx, by + besideY, x, y - besideY * kBlock);
+  if (besideX != 0 && besideY != 0) put(bx + besideX, by + besideY, x - besideX * kBlock, y - besideY * kBlock);
 }
 
 void RidgePoints::find(const ImageView& image, const BlockScan& scan, const RidgeFilter& filter) {
   width_ = image.width;
   height_ = image.height;
   columns_ = scan.columns();
-  points_.clear();
-  tileOfBlock_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(scan.rows()), 0);
-  tiles_.resize(scan.candidates() + 1);
-  std::fill(tiles_.begin(), tiles_.end(), Tile{});
-  std::uint16_t tile = 0;
+  candidates_.size = 0;
+  candidates_.reserve(scan.candidates() * kBlock * kBlock);
+  mapOfBlock_.assign(static_cast<std::size_t>(columns_ + 2) * static_cast<std::size_t>(scan.rows() + 2), 0);
+  maps_.assign((scan.candidates() + 1) * kMap, 0);
+  std::uint16_t map = 0;
   for (const BlockRun& run : scan.runs()) {
-    for (int c = 0; c < run.count; ++c)
-      tileOfBlock_[static_cast<std::size_t>(run.row) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(run.first + c)] = ++tile;
+    for (int c = 0; c < run.count; ++c) mapOfBlock(run.first + c, run.row) = ++map;
     constexpr int kStep = kMaxBandWidth / kBlock;
-    for (int c = 0; c < run.count; c += kStep)
-      findInBand(image, filter, (run.first + c) * kBlock, run.row * kBlock, std::min(kStep, run.count - c) * kBlock);
+    for (int c = 0; c < run.count; c += kStep) {
+      const int column = (run.first + c) * kBlock, row = run.row * kBlock;
+      const int width = std::min(std::min(kStep, run.count - c) * kBlock, width_ - column);
+      const auto [pixels, stride] = window_.at(image, filter, column, row, width);
+      findRidgeCandidates(pixels, stride, width, std::min(kBlock, height_ - row), column, row, filter, *band_,
+                          candidates_);
+    }
   }
+  testRidgeCandidates(candidates_, filter.leastRidge, points_);
+  // An index must fit into a map; so many points are texture, and what is over is left out.
+  points_.size = std::min<std::size_t>(points_.size, std::numeric_limits<std::uint16_t>::max() - 1);
+  place_.resize(std::max(place_.size(), points_.size));
+  for (std::size_t i = 0; i < points_.size; ++i) enter(i);
 }
 
 }  // namespace vignole

@@ -20,22 +20,30 @@ class RidgePoints {
   /// Works on the blocks the scan marked. Beyond the picture's border its edge is repeated.
   void find(const ImageView& image, const BlockScan& scan, const RidgeFilter& filter);
 
-  [[nodiscard]] const std::vector<RidgePoint>& points() const { return points_; }
+  [[nodiscard]] const RidgeArrays& points() const { return points_; }
   /// Index of the point whose pixel this is, or -1.
   [[nodiscard]] int indexAt(int column, int row) const;
 
+  /// The map of the pixels around a point: `around(i)[dy * kMapPitch + dx]` is the index + 1 of the point in the pixel
+  /// (dx, dy) away, |dx|, |dy| <= 1, or 0.
+  static constexpr std::ptrdiff_t kMapPitch = kBlock + 2;
+  [[nodiscard]] const std::uint16_t* around(std::size_t i) const { return maps_.data() + place_[i]; }
+
  private:
-  static constexpr std::size_t kTilePixels = static_cast<std::size_t>(kBlock) * kBlock;
-  using Tile = std::array<std::uint32_t, kTilePixels>;  // index + 1, 0 is no point
-  [[nodiscard]] std::uint16_t tileAt(int column, int row) const;
-  void findInBand(const ImageView& image, const RidgeFilter& filter, int column, int row, int width);
+  static constexpr std::size_t kMap = static_cast<std::size_t>(kMapPitch * kMapPitch);  // a block with one pixel around
+  void enter(std::size_t i);
+  [[nodiscard]] std::uint16_t& mapOfBlock(int column, int row) {
+    return mapOfBlock_[static_cast<std::size_t>((row + 1) * (columns_ + 2) + column + 1)];
+  }
 
   int width_ = 0, height_ = 0, columns_ = 0;
   std::unique_ptr<RidgeBand> band_;
   BandWindow window_;
-  std::vector<RidgePoint> points_;
-  std::vector<std::uint16_t> tileOfBlock_;  // 0 is the tile without points
-  std::vector<Tile> tiles_;
+  RidgeCandidates candidates_;
+  RidgeArrays points_;
+  std::vector<std::uint16_t> mapOfBlock_;  // of every block and of one more all around; 0 is the map without points
+  std::vector<std::uint16_t> maps_;
+  std::vector<std::uint32_t> place_;  // of each point: its pixel in maps_
 };
 
 }  // namespace vignole

@@ -10,6 +10,7 @@
 #include "engine/stripe/competing_lines.h"
 #include "engine/stripe/gap_linking.h"
 #include "engine/stripe/line_ends.h"
+#include "engine/stripe/line_kernels.h"
 #include "engine/stripe/line_linking.h"
 #include "engine/stripe/ridge_points.h"
 #include "engine/stripe/uncertainty.h"
@@ -18,6 +19,12 @@ namespace vignole {
 namespace {
 
 constexpr int kClippedDn = 254;
+// No line is clipped whose smoothed brightness is below this: even a line of 0.6 px under the widest filter reaches it.
+constexpr float kNeverClippedDn = 17;
+constexpr float kEndTouchesSigma = 2;        // so far an end's own error reaches into the smoothing, in sigma
+constexpr float kPointSpacingPx = 1.13F;     // averaged over all directions of a line
+constexpr float kCrosstalkShare = 0.1F;      // of the contrast of the better half of its line
+constexpr std::uint32_t kCrosstalkRun = 12;  // points in a row
 
 bool clippedAt(const ImageView& image, int column, int row) {
   const int left = std::max(0, column - 1), right = std::min(image.width - 1, column + 1);
@@ -51,36 +58,60 @@ Expected<StripeSettings> checked(const StripeSettings& settings) {
 
 const char* stripeSimdTarget() { return simdTargetName(); }
 
+const char* reasonOf(Rejection rejection) {
+  switch (rejection) {
+    case Rejection::Weaker:
+      return "a ghost: much weaker than the line beside it";
+    case Rejection::Broader:
+      return "a ghost: weaker, broader and shorter than the line beside it";
+    case Rejection::OutOfField:
+      return "where the light plane cannot be seen";
+    case Rejection::None:
+      break;
+  }
+  return "";
+}
+
 struct StripeExtractor::Impl {
-  explicit Impl(const StripeSettings& s);
+  Impl(const StripeSettings& s, const StripeOptics& o);
   void extract(const ImageView& image, StripeResult& result);
   void setThresholds();
-  void buildLine(const ImageView& image, const LineChain& chain);
-  void addPoint(const ImageView& image, const RidgePoint& ridge);
-  void orientNormals(std::size_t first);
-  void flagEnds(std::size_t first);
-  void turnRound(std::size_t first);
+  void gather();
+  void gather(const LineChain& chain);
+  void turnRound(const LineRange& line);
+  void measure(const ImageView& image);
+  void walkLines();
+  void finishNormal(std::size_t i, std::size_t before, std::size_t after);
+  void flagEnds(const Competitor& line, std::span<const std::uint32_t> gaps);
+  void flagCrosstalk(const LineRange& line);
+  void smooth();
+  void bendAtEnds(std::uint32_t first, std::uint32_t end);
   void rankLines();
-  void estimateUncertainty();
-  void write(StripeResult& result) const;
+  void write(StripeResult& result);
 
   StripeSettings settings;
+  StripeOptics optics;
   RidgeFilter filter;
   BlockScanSettings scanSettings;
   LinkingSettings linking;
   GapSettings gaps;
+  LineSmoothing smoothing;
   BlockScan scan;
   RidgePoints ridges;
   LineLinker linker;
   LineEnds lineEnds;
   GapLinker gapLinker;
   SpeckleMeter speckleMeter;
-  std::vector<ChainPoint> points;
-  std::vector<LineOfChain> lines;
-  std::vector<std::size_t> gapStarts;  // of the line at work: first point behind each bridged gap
+  Competition competition;
+  LinePoints points;
+  std::vector<Competitor> lines;
+  std::vector<std::uint32_t> gapStarts;   // first point behind each bridged gap, line after line
+  std::vector<std::uint32_t> gapsOfLine;  // how many of them
+  std::vector<float> sorted;
 };
 
-StripeExtractor::Impl::Impl(const StripeSettings& s) : settings(s), filter(ridgeFilter(s.sigma, 0)) {
+StripeExtractor::Impl::Impl(const StripeSettings& s, const StripeOptics& o)
+    : settings(s), optics(o), filter(ridgeFilter(s.sigma, 0)) {
   // Light reaches 3 sd of the stripe to both sides; the background is looked for beyond that.
   scanSettings.radius = std::clamp(static_cast<int>(std::ceil((4.5 * s.sigma + 4) / kBlock)), 2, 5);
   // A line of contrast t_l that runs along the border of two blocks raises the mean of each by at least 0.4 t_l.
@@ -88,6 +119,7 @@ StripeExtractor::Impl::Impl(const StripeSettings& s) : settings(s), filter(ridge
   scanSettings.maxBlocks = s.maxBlocks;
   linking.minLength = s.minLength;
   gaps = {s.gapDistance, s.gapAngle, s.sigma};
+  smoothing = lineSmoothing(filter.variancePx2, o.blurPx * o.blurPx, s.correction);
 }
 
 // t_l and t_h as second derivatives; never so low that noise alone would make lines.
@@ -98,129 +130,206 @@ void StripeExtractor::Impl::setThresholds() {
   linking.highRidge = static_cast<float>(std::max(settings.high * perDn, kHighNoiseFactor * noise));
 }
 
-void StripeExtractor::Impl::addPoint(const ImageView& image, const RidgePoint& r) {
-  const auto variance = static_cast<float>(filter.variancePx2);
-  const float light = std::max(1.0F, r.smoothed - scan.backgroundAt(r.column, r.row));
-  const float dx = r.x - static_cast<float>(r.column), dy = r.y - static_cast<float>(r.row);
-  const float t = dx * r.nx + dy * r.ny, p = r.nx * r.nx * r.ny * r.ny;
-  // The smoothed line is L exp(-x^2 / 2 v), so v = L / ridge; seen at offset t and by differences instead of
-  // derivatives that is too large by t^2 + (1 + p) / 4.
-  const float v = std::max(light / r.ridge - t * t - 0.25F * (1 + p), variance + 0.25F);
-  // The offset -f'/f'' overshoots by t^2 / v (third order of the profile) and falls short by (1 - 5 p) / (4 v)
-  // (differences).
-  const float correction = t * (0.25F * (1 - 5 * p) - t * t) / v;
-  ChainPoint c;
-  c.point.x = r.x + correction * r.nx;
-  c.point.y = r.y + correction * r.ny;
-  c.point.nx = r.nx;
-  c.point.ny = r.ny;
-  c.s2 = v - variance;
-  c.point.widthPx = std::sqrt(c.s2);
-  c.point.strength = light * std::sqrt(v / c.s2);
-  if (clippedAt(image, r.column, r.row)) c.point.flags = kSaturated;
-  c.ridge = r.ridge;
-  points.push_back(c);
+void StripeExtractor::Impl::gather() {
+  points.reserve(lineEnds.points().size);
+  points.size = 0;
+  lines.clear();
+  gapStarts.clear();
+  gapsOfLine.clear();
+  for (const LineChain& chain : gapLinker.chains()) gather(chain);
 }
 
-void StripeExtractor::Impl::buildLine(const ImageView& image, const LineChain& chain) {
-  const std::size_t first = points.size();
-  gapStarts.clear();
+// The pieces of a line one after the other, from left to right (or from top to bottom).
+void StripeExtractor::Impl::gather(const LineChain& chain) {
+  const RidgeArrays& from = lineEnds.points();
+  const auto first = static_cast<std::uint32_t>(points.size);
+  const std::size_t firstGap = gapStarts.size();
   for (std::uint32_t l = chain.first; l < chain.first + chain.count; ++l) {
     const ChainLink link = gapLinker.links()[l];
     const LinePiece piece = lineEnds.pieces()[link.piece];
-    const std::size_t begin = points.size();
-    for (std::uint32_t i = 0; i < piece.count; ++i) {
-      const std::uint32_t at = piece.first + (link.reversed ? piece.count - 1 - i : i);
-      addPoint(image, lineEnds.points()[at]);
+    if (l > chain.first) gapStarts.push_back(static_cast<std::uint32_t>(points.size));
+    for (std::uint32_t k = 0; k < piece.count; ++k) {
+      const std::size_t i = piece.first + (link.reversed ? piece.count - 1 - k : k), to = points.size++;
+      points.x[to] = from.x[i];
+      points.y[to] = from.y[i];
+      points.nx[to] = from.nx[i];
+      points.ny[to] = from.ny[i];
+      points.ridge[to] = from.ridge[i];
+      points.light[to] = from.smoothed[i];
+      points.along[to] = from.along[i];
+      points.pixel[to] = from.pixel[i];
     }
-    if (l > chain.first) gapStarts.push_back(begin);
   }
-  const StripePoint &a = points[first].point, &b = points.back().point;
-  if (b.x < a.x || (b.x == a.x && b.y < a.y)) turnRound(first);
-  float arc = 0;
-  for (std::size_t i = first; i < points.size(); ++i) {
-    if (i > first)
-      arc += std::hypot(points[i].point.x - points[i - 1].point.x, points[i].point.y - points[i - 1].point.y);
-    points[i].arcPx = arc;
+  const LineRange line{first, static_cast<std::uint32_t>(points.size) - first};
+  const std::size_t last = points.size - 1;
+  if (points.x[last] < points.x[first] || (points.x[last] == points.x[first] && points.y[last] < points.y[first])) {
+    turnRound(line);
+    for (std::size_t g = firstGap; g < gapStarts.size(); ++g) gapStarts[g] = line.first + line.end() - gapStarts[g];
+    std::reverse(gapStarts.begin() + static_cast<std::ptrdiff_t>(firstGap), gapStarts.end());
   }
-  orientNormals(first);
-  flagEnds(first);
-  lines.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points.size() - first), false});
+  lines.push_back({line, Rejection::None});
+  gapsOfLine.push_back(static_cast<std::uint32_t>(gapStarts.size() - firstGap));
 }
 
-// All to the same side of the line: a quarter turn from x towards y when looking along it.
-void StripeExtractor::Impl::orientNormals(std::size_t first) {
-  for (std::size_t i = first; i < points.size(); ++i) {
-    const StripePoint& a = points[i > first ? i - 1 : i].point;
-    const StripePoint& b = points[std::min(i + 1, points.size() - 1)].point;
-    StripePoint& p = points[i].point;
-    if ((b.x - a.x) * p.ny - (b.y - a.y) * p.nx >= 0) continue;
-    p.nx = -p.nx;
-    p.ny = -p.ny;
+void StripeExtractor::Impl::turnRound(const LineRange& line) {
+  for (PaddedFloats* v : {&points.x, &points.y, &points.nx, &points.ny, &points.ridge, &points.light, &points.along})
+    std::reverse(v->data() + line.first, v->data() + line.end());
+  std::reverse(points.pixel.begin() + line.first, points.pixel.begin() + line.end());
+}
+
+void StripeExtractor::Impl::measure(const ImageView& image) {
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const int column = columnOf(points.pixel[i]), row = rowOf(points.pixel[i]);
+    points.flags[i] = points.light[i] > kNeverClippedDn && clippedAt(image, column, row) ? kSaturated : 0;
+    points.light[i] -= scan.backgroundAt(column, row);
+  }
+  measureLight(points, static_cast<float>(filter.variancePx2));
+  orientNormals(points);
+}
+
+// The normal of a point that has a neighbour on one side only.
+void StripeExtractor::Impl::finishNormal(std::size_t i, std::size_t before, std::size_t after) {
+  const float dx = points.x[after] - points.x[before], dy = points.y[after] - points.y[before];
+  if (dx * points.ny[i] - dy * points.nx[i] >= 0) return;
+  points.nx[i] = -points.nx[i];
+  points.ny[i] = -points.ny[i];
+}
+
+void StripeExtractor::Impl::walkLines() {
+  std::size_t gap = 0;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const LineRange& line = lines[l].range;
+    const std::uint32_t last = line.end() - 1;
+    finishNormal(line.first, line.first, std::min(line.first + 1, last));
+    finishNormal(last, std::max(last, line.first + 1) - 1, last);
+    float arc = 0;
+    for (std::uint32_t i = line.first; i <= last; ++i) {
+      points.arc[i] = arc;
+      arc += points.step[i];
+    }
+    flagEnds(lines[l], std::span(gapStarts).subspan(gap, gapsOfLine[l]));
+    flagCrosstalk(line);
+    gap += gapsOfLine[l];
   }
 }
 
-void StripeExtractor::Impl::turnRound(std::size_t first) {
-  std::reverse(points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
-  for (std::size_t& start : gapStarts) start = first + points.size() - start;
-  std::reverse(gapStarts.begin(), gapStarts.end());
-}
-
-void StripeExtractor::Impl::flagEnds(std::size_t first) {
+// Flags, the way to the nearest edge, and how many neighbours there are up to it that it does not touch.
+void StripeExtractor::Impl::flagEnds(const Competitor& line, std::span<const std::uint32_t> gapsInLine) {
   const auto reach = static_cast<float>(3 * settings.sigma);
-  const float length = points.back().arcPx;
-  for (std::size_t i = first; i < points.size(); ++i) {
-    ChainPoint& c = points[i];
-    c.edgePx = std::min(c.arcPx, length - c.arcPx);
-    if (c.edgePx <= reach) c.point.flags |= kLineEnd;
+  const auto touched = kEndTouchesSigma * static_cast<float>(settings.sigma) / kPointSpacingPx;
+  const LineRange& range = line.range;
+  for (std::size_t g = 0; g <= gapsInLine.size(); ++g) {
+    const std::uint32_t first = g == 0 ? range.first : gapsInLine[g - 1];
+    const std::uint32_t end = g == gapsInLine.size() ? range.end() : gapsInLine[g];
+    const std::uint8_t atFirst = g == 0 ? kLineEnd : kGapEdge, atEnd = g == gapsInLine.size() ? kLineEnd : kGapEdge;
+    for (std::uint32_t i = first; i < end; ++i) {
+      const float before = points.arc[i] - points.arc[first], behind = points.arc[end - 1] - points.arc[i];
+      points.edge[i] = std::min(before, behind);
+      points.room[i] = static_cast<float>(std::min(i - first, end - 1 - i)) - touched;
+      if (before <= reach) points.flags[i] |= atFirst;
+      if (behind <= reach) points.flags[i] |= atEnd;
+    }
   }
-  const auto mark = [&](ChainPoint& c, float arcOfEdge) {
-    const float distance = std::abs(c.arcPx - arcOfEdge);
-    c.edgePx = std::min(c.edgePx, distance);
-    if (distance <= reach) c.point.flags |= kGapEdge;
-    return distance <= reach;
+}
+
+// The light of another laser continues the line, many times weaker.
+void StripeExtractor::Impl::flagCrosstalk(const LineRange& line) {
+  sorted.clear();
+  for (std::uint32_t i = line.first; i < line.end(); i += 8) sorted.push_back(points.strength[i]);
+  const auto upper = sorted.begin() + static_cast<std::ptrdiff_t>(3 * sorted.size() / 4);
+  std::nth_element(sorted.begin(), upper, sorted.end());
+  const float limit = kCrosstalkShare * *upper;
+  for (std::uint32_t i = line.first; i < line.end();) {
+    std::uint32_t k = i;
+    while (k < line.end() && points.strength[k] < limit) ++k;
+    for (std::uint32_t j = i; k - i >= kCrosstalkRun && j < k; ++j) points.flags[j] |= kCrosstalk;
+    i = std::max(k, i + 1);
+  }
+}
+
+void StripeExtractor::Impl::smooth() {
+  speckleMeter.begin(filter, scan.noiseDn());
+  for (const Competitor& line : lines)
+    if (line.rejection == Rejection::None) speckleMeter.add(points, line.range);
+  const auto variance = static_cast<float>(filter.variancePx2);
+  setRidgeSigma(points, static_cast<float>(scan.noiseDn() * filter.gradientNoise), speckleMeter.speckle(), variance);
+  smoothAlong(points, smoothing);
+  std::size_t gap = 0;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    std::uint32_t first = lines[l].range.first;
+    for (std::uint32_t g = 0; g < gapsOfLine[l]; ++g, ++gap) {
+      bendAtEnds(first, gapStarts[gap]);
+      first = gapStarts[gap];
+    }
+    bendAtEnds(first, lines[l].range.end());
+  }
+}
+
+// Where the ends leave no room for a window, the line goes on as it bends where there is; and the ends have an error of
+// their own.
+void StripeExtractor::Impl::bendAtEnds(std::uint32_t first, std::uint32_t end) {
+  const float least = smoothing.windows[0].room;
+  const auto close = static_cast<float>(6 * settings.sigma);
+  std::uint32_t inner = first;
+  while (inner < end && points.room[inner] < least) ++inner;
+  if (inner < end) {
+    std::uint32_t last = end - 1;
+    while (points.room[last] < least) --last;
+    const auto extend = [&](std::uint32_t from, std::uint32_t to, float bend) {
+      for (std::uint32_t i = from; i < to; ++i) {
+        points.bend[i] = bend;
+        if (smoothing.applied) points.shift[i] = -smoothing.pullPx2 * bend;
+      }
+    };
+    extend(first, inner, points.bend[inner]);
+    extend(last + 1, end, points.bend[last]);
+  }
+  const auto addEnd = [&](std::uint32_t i) {
+    const float e = endSigma(points.edge[i], settings.sigma);
+    points.sigma[i] = std::sqrt(points.sigma[i] * points.sigma[i] + e * e);
+    points.shiftedSigma[i] = std::sqrt(points.shiftedSigma[i] * points.shiftedSigma[i] + e * e);
   };
-  for (const std::size_t start : gapStarts) {
-    for (std::size_t i = start; i-- > first && mark(points[i], points[start - 1].arcPx);) continue;
-    for (std::size_t i = start; i < points.size() && mark(points[i], points[start].arcPx);) ++i;
-  }
+  std::uint32_t i = first;
+  for (; i < end && points.edge[i] < close; ++i) addEnd(i);
+  for (std::uint32_t k = end; k > i && points.edge[k - 1] < close; --k) addEnd(k - 1);
 }
 
 void StripeExtractor::Impl::rankLines() {
-  rejectGhosts(points, lines, CompetitionSettings{});
-  for (LineOfChain& line : lines)
-    for (std::uint32_t i = line.first; line.rejected && i < line.first + line.count; ++i)
-      points[i].point.flags |= kRejected;
-  std::sort(lines.begin(), lines.end(), [](const LineOfChain& a, const LineOfChain& b) {
-    if (a.rejected != b.rejected) return b.rejected;
-    return a.count != b.count ? a.count > b.count : a.first < b.first;
+  competition.judge(points, lines, optics.field, CompetitionSettings{});
+  for (const Competitor& line : lines)
+    for (std::uint32_t i = line.range.first; line.rejection != Rejection::None && i < line.range.end(); ++i)
+      points.flags[i] |= kRejected;
+}
+
+void StripeExtractor::Impl::write(StripeResult& result) {
+  std::sort(lines.begin(), lines.end(), [](const Competitor& a, const Competitor& b) {
+    const bool lostA = a.rejection != Rejection::None, lostB = b.rejection != Rejection::None;
+    if (lostA != lostB) return lostB;
+    return a.range.count != b.range.count ? a.range.count > b.range.count : a.range.first < b.range.first;
   });
-}
-
-void StripeExtractor::Impl::estimateUncertainty() {
-  speckleMeter.begin(filter, scan.noiseDn());
-  const auto pointsOf = [this](const LineOfChain& line) { return std::span(points).subspan(line.first, line.count); };
-  for (const LineOfChain& line : lines)
-    if (!line.rejected) speckleMeter.add(pointsOf(line));
-  const float speckle = speckleMeter.speckle();
-  for (const LineOfChain& line : lines) setUncertainty(pointsOf(line), filter, scan.noiseDn(), speckle);
-}
-
-void StripeExtractor::Impl::write(StripeResult& result) const {
-  result.points.clear();
+  result.points.resize(points.size);
   result.lines.clear();
-  std::size_t kept = 0, saturated = 0, steps = 0;
+  std::uint32_t kept = 0, saturated = 0, steps = 0, to = 0;
   float length = 0;
-  for (const LineOfChain& line : lines) {
-    result.lines.push_back({static_cast<std::uint32_t>(result.points.size()), line.count, line.rejected});
-    for (const ChainPoint& c : std::span(points).subspan(line.first, line.count)) {
-      result.points.push_back(c.point);
-      if (!line.rejected && (c.point.flags & kSaturated) != 0) ++saturated;
+  for (const auto& [range, rejection] : lines) {
+    result.lines.push_back({to, range.count, rejection});
+    std::uint32_t clipped = 0;
+    for (std::uint32_t i = range.first; i < range.end(); ++i) {
+      StripePoint& p = result.points[to++];
+      const float shift = points.shift[i], nx = points.nx[i], ny = points.ny[i],
+                  pull = smoothing.pullPx2 * points.bend[i];
+      // With the correction off the pull of the bend stays, as an error.
+      const float ridgeSigma = points.sigma[i],
+                  sigma = smoothing.applied ? points.shiftedSigma[i] : std::hypot(ridgeSigma, pull);
+      p = {points.x[i] + shift * nx, points.y[i] + shift * ny, nx,    ny,         sigma,
+           points.strength[i],       std::sqrt(points.s2[i]),  shift, ridgeSigma, points.flags[i]};
+      clipped += points.flags[i] & kSaturated;
     }
-    if (line.rejected) continue;
-    kept += line.count;
-    steps += line.count - 1;
-    length += points[line.first + line.count - 1].arcPx;
+    if (rejection != Rejection::None) continue;
+    kept += range.count;
+    saturated += clipped;
+    steps += range.count - 1;
+    length += points.arc[range.end() - 1];
   }
   result.noiseDn = scan.noiseDn();
   result.backgroundDn = scan.backgroundDn();
@@ -229,13 +338,11 @@ void StripeExtractor::Impl::write(StripeResult& result) const {
   const double spacing = steps == 0 ? 1 : std::max(0.5, static_cast<double>(length) / static_cast<double>(steps));
   result.correlatedPoints =
       static_cast<float>(std::max(1.0, 2 * std::sqrt(std::numbers::pi) * settings.sigma / spacing));
-  result.smoothingPx = static_cast<float>(settings.sigma);
+  result.smoothingPx = smoothing.applied ? std::sqrt(smoothing.pullPx2) : 0;
   result.overloaded = scan.overloaded();
 }
 
 void StripeExtractor::Impl::extract(const ImageView& image, StripeResult& result) {
-  points.clear();
-  lines.clear();
   if (image.empty()) {
     result = {};
     return;
@@ -244,15 +351,18 @@ void StripeExtractor::Impl::extract(const ImageView& image, StripeResult& result
   setThresholds();
   ridges.find(image, scan, filter);
   linker.link(ridges, linking);
-  lineEnds.retrace(image, filter, linker);
+  lineEnds.retrace(image, filter, ridges, linker);
   gapLinker.link(lineEnds.points(), lineEnds.pieces(), gaps);
-  for (const LineChain& chain : gapLinker.chains()) buildLine(image, chain);
+  gather();
+  measure(image);
+  walkLines();
   rankLines();
-  estimateUncertainty();
+  smooth();
   write(result);
 }
 
-StripeExtractor::StripeExtractor(const StripeSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+StripeExtractor::StripeExtractor(const StripeSettings& settings, const StripeOptics& optics)
+    : impl_(std::make_unique<Impl>(settings, optics)) {}
 StripeExtractor::~StripeExtractor() = default;
 StripeExtractor::StripeExtractor(StripeExtractor&&) noexcept = default;
 StripeExtractor& StripeExtractor::operator=(StripeExtractor&&) noexcept = default;

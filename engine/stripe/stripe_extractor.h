@@ -23,7 +23,7 @@ inline constexpr double kLowNoiseFactor = 4, kHighNoiseFactor = 7;
 /// One per thread. Same image, same settings, same bits.
 class StripeExtractor {
  public:
-  explicit StripeExtractor(const StripeSettings& settings);  ///< settings that passed checked()
+  explicit StripeExtractor(const StripeSettings& settings, const StripeOptics& optics = {});  ///< settings: checked()
   ~StripeExtractor();
   StripeExtractor(StripeExtractor&&) noexcept;
   StripeExtractor& operator=(StripeExtractor&&) noexcept;

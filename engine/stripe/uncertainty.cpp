@@ -50,22 +50,25 @@ void SpeckleMeter::begin(const RidgeFilter& filter, double noiseDn) {
 }
 
 // Third differences over steps of about 2 sigma: they are blind to a steady bend and to a steady change of strength.
-void SpeckleMeter::add(std::span<const ChainPoint> line) {
+void SpeckleMeter::add(const LinePoints& p, const LineRange& line) {
   const auto lag = static_cast<std::size_t>(std::lround(1.8F * sigma_));
+  if (line.count <= 3 * lag) return;
   const std::uint8_t useless = kSaturated | kLineEnd | kGapEdge;
-  for (std::size_t i = 0; i + 3 * lag < line.size(); i += 2) {
-    const ChainPoint &a = line[i], &b = line[i + lag], &c = line[i + 2 * lag], &d = line[i + 3 * lag];
-    if (((a.point.flags | b.point.flags | c.point.flags | d.point.flags) & useless) != 0) continue;
-    const float step = (d.arcPx - a.arcPx) / 3;
+  // Neighbouring samples see the same speckle: every fifth point is enough.
+  for (std::size_t i = line.first; i + 3 * lag < line.end(); i += 5) {
+    const std::size_t a = i, b = i + lag, c = i + 2 * lag, d = i + 3 * lag;
+    if (((p.flags[a] | p.flags[b] | p.flags[c] | p.flags[d]) & useless) != 0) continue;
+    const float step = (p.arc[d] - p.arc[a]) / 3;
     const float one = correlation(step, sigma_), two = one * one * one * one;
     const float gain = 20 - 30 * one + 12 * two - 2 * two * two * one;  // of the variance of independent errors
-    const float nx = b.point.nx + c.point.nx, ny = b.point.ny + c.point.ny;
-    const float dx = d.point.x - 3 * c.point.x + 3 * b.point.x - a.point.x;
-    const float dy = d.point.y - 3 * c.point.y + 3 * b.point.y - a.point.y;
+    const float nx = p.nx[b] + p.nx[c], ny = p.ny[b] + p.ny[c];
+    const float dx = p.x[d] - 3 * p.x[c] + 3 * p.x[b] - p.x[a];
+    const float dy = p.y[d] - 3 * p.y[c] + 3 * p.y[b] - p.y[a];
     const float moved2 = (dx * nx + dy * ny) * (dx * nx + dy * ny) / (nx * nx + ny * ny);
-    const float ridge = 0.25F * (a.ridge + b.ridge + c.ridge + d.ridge);
-    const float flicker = std::log(d.ridge * b.ridge * b.ridge * b.ridge / (c.ridge * c.ridge * c.ridge * a.ridge));
-    const SpeckleGain speckle = speckleGain(0.5F * (b.s2 + c.s2), sigma_ * sigma_);
+    const float rb = p.ridge[b], rc = p.ridge[c];
+    const float ridge = 0.25F * (p.ridge[a] + rb + rc + p.ridge[d]);
+    const float flicker = std::log(p.ridge[d] * rb * rb * rb / (rc * rc * rc * p.ridge[a]));
+    const SpeckleGain speckle = speckleGain(0.5F * (p.s2[b] + p.s2[c]), sigma_ * sigma_);
     // The median of (squared difference / its expectation) is known; each sample says which speckle would put it there.
     const float perRidge2 = 1 / (ridge * ridge), scale = 1 / (gain * kMedianOfSquare);
     fromPosition_.push_back((moved2 * scale - positionNoise2_ * perRidge2) / speckle.positionPx2);
@@ -78,28 +81,6 @@ float SpeckleMeter::speckle() {
   return std::max(0.0F, std::min(median(fromPosition_), median(fromRidge_)));
 }
 
-void setUncertainty(std::span<ChainPoint> line, const RidgeFilter& filter, double noiseDn, float speckle) {
-  const double sigma = std::sqrt(filter.variancePx2);
-  const auto sigma2 = static_cast<float>(filter.variancePx2);
-  const auto gradient = static_cast<float>(noiseDn * filter.gradientNoise);
-  const auto reach = static_cast<std::size_t>(std::lround(2.6 * sigma));  // points are 1.13 px apart on average
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    ChainPoint& c = line[i];
-    const float noise = gradient / c.ridge;
-    float variance = noise * noise + speckle * speckleGain(c.s2, sigma2).positionPx2;
-    const std::size_t k = std::min({reach, i, line.size() - 1 - i});
-    if (k > 0) {
-      // Curvature from the chords to both sides: f(h)/h + f(-h')/h' = curvature / 2 (h + h'), whatever the slope.
-      const StripePoint &p = c.point, &a = line[i - k].point, &b = line[i + k].point;
-      const float back = c.arcPx - line[i - k].arcPx, forth = line[i + k].arcPx - c.arcPx;
-      const float bend =
-          ((b.x - p.x) * p.nx + (b.y - p.y) * p.ny) / forth + ((a.x - p.x) * p.nx + (a.y - p.y) * p.ny) / back;
-      const float pull = k == reach ? sigma2 * bend / (back + forth) : 0;
-      variance += pull * pull;
-    }
-    const float end = 0.3F * std::exp(-c.edgePx / static_cast<float>(sigma));
-    c.point.sigmaPx = std::sqrt(variance + end * end);
-  }
-}
+float endSigma(float edgePx, double sigma) { return 0.3F * std::exp(-edgePx / static_cast<float>(sigma)); }
 
 }  // namespace vignole

@@ -3,9 +3,9 @@
 // profile (contrast A, standard deviation s) under a Gaussian filter of standard deviation sigma; v = s^2 + sigma^2.
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "engine/stripe/line_points.h"
 #include "engine/stripe/ridge_kernel.h"
 #include "engine/stripe/stripe.h"
 
@@ -28,22 +28,13 @@ struct SpeckleGain {
 };
 [[nodiscard]] SpeckleGain speckleGain(float s2, float sigma2);
 
-/// A point on its way into the result.
-struct ChainPoint {
-  StripePoint point;
-  float ridge = 0;   ///< second derivative across the line, negated, DN/px^2
-  float arcPx = 0;   ///< way along the line from its first point
-  float edgePx = 0;  ///< way to the nearest end of the line or of a gap in it
-  float s2 = 0;      ///< widthPx^2
-};
-
 /// C^2 a of a frame, px^2: how much more than pixel noise explains do position and strength fluctuate along the lines.
 /// Both are asked and the lesser answer is taken: a real contour moves the line but does not make it flicker, a change
 /// of reflectance makes it flicker but does not move it. Buffers live from frame to frame.
 class SpeckleMeter {
  public:
   void begin(const RidgeFilter& filter, double noiseDn);
-  void add(std::span<const ChainPoint> line);
+  void add(const LinePoints& points, const LineRange& line);
   /// 0 if there is too little to tell.
   [[nodiscard]] float speckle();
 
@@ -52,7 +43,8 @@ class SpeckleMeter {
   std::vector<float> fromPosition_, fromRidge_;
 };
 
-/// Fills sigmaPx: pixel noise, speckle, the pull of a bend (sigma^2 / 2 times its curvature), the end of the line.
-void setUncertainty(std::span<ChainPoint> line, const RidgeFilter& filter, double noiseDn, float speckle);
+/// What the end of the light adds to the error of a point `edgePx` away from it, px (standard deviation, found on
+/// rendered ends).
+[[nodiscard]] float endSigma(float edgePx, double sigma);
 
 }  // namespace vignole

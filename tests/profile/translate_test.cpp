@@ -145,7 +145,7 @@ TEST(Translate, NothingSaysWhy) {
   translateThrough(AffineMap{}, 0, 0, stripe, contour);
   EXPECT_EQ(contour.missing, "overloaded");
   stripe = line(0, 4);
-  stripe.lines[0].rejected = true;
+  stripe.lines[0].rejection = Rejection::Weaker;
   translateThrough(AffineMap{}, 0, 0, stripe, contour);
   EXPECT_EQ(contour.missing, "only rejected lines");
 }

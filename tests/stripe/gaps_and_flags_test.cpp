@@ -132,8 +132,8 @@ TEST(Flags, ClippedStretchIsSaturatedAndStillCentred) {
 TEST(Flags, AGhostBesideTheLineIsRejectedAndListedLast) {
   const StripeResult result = extracted({{40, 100, 360, 100, 180}, {120, 125, 280, 126, 35, 4}});
   ASSERT_EQ(result.lines.size(), 2U);
-  EXPECT_FALSE(result.lines[0].rejected);
-  EXPECT_TRUE(result.lines[1].rejected);
+  EXPECT_FALSE(result.lines[0].rejected());
+  EXPECT_TRUE(result.lines[1].rejected());
   EXPECT_GT(result.lines[1].first, 0U);
   for (std::uint32_t i = 0; i < result.points.size(); ++i)
     EXPECT_EQ((result.points[i].flags & kRejected) != 0, i >= result.lines[1].first);
@@ -143,7 +143,7 @@ TEST(Flags, DoubtfulCompetitorsAreKept) {
   const auto kept = [](const Stroke& other) {
     const StripeResult result = extracted({{40, 100, 360, 100, 180}, other});
     ASSERT_EQ(result.lines.size(), 2U);
-    EXPECT_FALSE(result.lines[0].rejected || result.lines[1].rejected);
+    EXPECT_FALSE(result.lines[0].rejected() || result.lines[1].rejected());
   };
   kept({120, 125, 280, 126, 90});  // half as strong
   kept({120, 170, 280, 171, 35});  // far away
