@@ -1,12 +1,28 @@
 #include "engine/inspection/inspection.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/inspection/pipeline.h"
+#include "engine/profile/stripe_optics.h"
 #include "engine/profile/translate.h"
 #include "engine/stripe/stripe_extractor.h"
 
 namespace vignole {
+
+namespace {
+
+/// A rail wanders by some millimetres and a degree; light further away is not its line.
+MeasuringField fieldAround(const Section& section) {
+  constexpr double kMarginMm = 25;
+  double reach = 0;
+  for (const NamedPrimitive& p : section.primitives)
+    reach = std::max({reach, std::abs(startPoint(p.shape).x()), std::abs(endPoint(p.shape).x())});
+  return {{-reach - kMarginMm, -kMarginMm}, {reach + kMarginMm, section.heightMm() + kMarginMm}};
+}
+
+}  // namespace
 
 struct Inspection::Impl {
   Impl(FrameSource& source, Recipe chosenRecipe, RigCalibration rig, InspectionObserver observer,
@@ -16,7 +32,7 @@ struct Inspection::Impl {
         registrar(recipe.section, recipe.registration),
         measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
-      extractors.emplace_back(recipe.stripe);
+      extractors.emplace_back(recipe.stripe, stripeOptics(calibration.rangeFinders[c], fieldAround(recipe.section)));
       translators.emplace_back(static_cast<int>(c), calibration.rangeFinders[c]);
     }
     pipeline = std::make_unique<Pipeline>(source, work(), std::move(observer), settings);

@@ -104,6 +104,7 @@ LightPlane readLightPlane(TomlReader& toml, const std::string& at) {
   if (!(std::abs(plane.normal.norm() - 1) < kRotationTolerance))
     toml.refuse(at + "normal", "is not of length 1; calibrate again");
   plane.distanceMm = toml.number(at + "distance_mm", -1e4, 1e4);
+  plane.thicknessMm = toml.number(at + "thickness_mm", 0, 5, 0);
   return plane;
 }
 
@@ -114,11 +115,14 @@ std::string toToml(const RigCalibration& calibration) {
                      "\nmethod = " + quoted(calibration.method) + "\n";
   for (const RangeFinderCalibration& finder : calibration.rangeFinders) {
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = finder.cameraFromWorld.rotation;
-    text += "\n[[range_finder]]\nserial = " + quoted(finder.serial) + "\n" + toToml(finder.intrinsics);
+    text += "\n[[range_finder]]\nserial = " + quoted(finder.serial) + "\n";
+    if (finder.blurPx > 0) text += "blur_px = " + number(finder.blurPx) + "\n";
+    text += toToml(finder.intrinsics);
     text += "[range_finder.camera_from_world]\nrotation = " + list({rotation.data(), 9}) +
             "\ntranslation_mm = " + list({finder.cameraFromWorld.translationMm.data(), 3}) + "\n";
     text += "[range_finder.light_plane]\nnormal = " + list({finder.lightPlane.normal.data(), 3}) +
             "\ndistance_mm = " + number(finder.lightPlane.distanceMm) + "\n";
+    if (finder.lightPlane.thicknessMm > 0) text += "thickness_mm = " + number(finder.lightPlane.thicknessMm) + "\n";
   }
   return text;
 }
@@ -139,6 +143,7 @@ Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
     const std::string at = "range_finder." + std::to_string(i) + ".";
     RangeFinderCalibration& finder = calibration.rangeFinders[i];
     finder.serial = toml.text(at + "serial");
+    finder.blurPx = toml.number(at + "blur_px", 0, 20, 0);
     finder.intrinsics = readIntrinsics(toml, at + "intrinsics.");
     finder.cameraFromWorld = readExtrinsics(toml, at + "camera_from_world.");
     finder.lightPlane = readLightPlane(toml, at + "light_plane.");

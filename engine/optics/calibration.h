@@ -45,6 +45,8 @@ struct Extrinsics {
 struct LightPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double distanceMm = 0;
+  double thicknessMm =
+      0;  ///< standard deviation of the light across the plane; 0: unknown, nothing is corrected for it
 };
 
 struct RangeFinderCalibration {
@@ -52,6 +54,7 @@ struct RangeFinderCalibration {
   Intrinsics intrinsics;
   Extrinsics cameraFromWorld;
   LightPlane lightPlane;
+  double blurPx = 0;  ///< standard deviation of the blur by lens and pixel; 0: unknown, nothing is corrected for it
 };
 
 struct RigCalibration {

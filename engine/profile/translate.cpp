@@ -13,7 +13,7 @@ const char* reasonForNoContour(const StripeResult& stripe) {
 }
 
 void Translator::translate(std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) const {
-  translateThrough(map_, camera_, trigger, stripe, result);
+  translateThrough(map_, camera_, trigger, stripe, result, sheet_);
 }
 
 }  // namespace vignole

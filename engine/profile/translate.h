@@ -14,12 +14,36 @@ namespace vignole {
 /// Why there is no contour, in the ledger's few words; "" if there is one.
 [[nodiscard]] const char* reasonForNoContour(const StripeResult& stripe);
 
+/// The sheet of light has a thickness and is seen obliquely: its light off the plane comes to lie beside the line, so
+/// the picture is blurred along `seenAt`. Exact for Gaussian blur and light that changes exponentially along the line.
+class ObliqueSheet {
+ public:
+  ObliqueSheet() = default;
+  explicit ObliqueSheet(const RangeFinderCalibration& calibration)
+      : camera_(-calibration.cameraFromWorld.rotation.transpose() * calibration.cameraFromWorld.translationMm),
+        normal_(calibration.lightPlane.normal),
+        distance_(calibration.lightPlane.distanceMm),
+        variance_(calibration.lightPlane.thicknessMm * calibration.lightPlane.thicknessMm) {}
+  [[nodiscard]] double varianceMm2() const { return variance_; }
+  /// Where in the plane a point 1 mm off it is seen from the camera, relative to its foot at (x, y): mm.
+  [[nodiscard]] Eigen::Vector2d seenAt(double x, double y) const {
+    const double z = std::abs(normal_.z()) > 1e-9 ? (distance_ - normal_.x() * x - normal_.y() * y) / normal_.z() : 0;
+    const Eigen::Vector3d ray = Eigen::Vector3d(x, y, z) - camera_;
+    const Eigen::Vector3d aside = normal_ - ray / normal_.dot(ray);
+    return aside.head<2>();
+  }
+
+ private:
+  Eigen::Vector3d camera_ = Eigen::Vector3d::UnitZ(), normal_ = Eigen::Vector3d::UnitZ();
+  double distance_ = 0, variance_ = 0;
+};
+
 /// `map(column, row)` gives PlanePoint: world x, y in mm and its derivatives in mm/px. The normal of the contour is
 /// perpendicular to the mapped tangent; sigmaMm is the standard uncertainty along it, sigmaPx |det J| / |J t| (first
 /// order: moving along the contour changes nothing). Rejected lines are left out. Buffers of `result` are reused.
 template <typename Map>
 void translateThrough(const Map& map, int camera, std::uint64_t trigger, const StripeResult& stripe,
-                      PartialContour& result) {
+                      PartialContour& result, const ObliqueSheet& sheet = {}) {
   result.camera = camera;
   result.trigger = trigger;
   result.points.clear();
@@ -41,13 +65,25 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
       // A point that the map sends nowhere (beyond the horizon of the light plane) is no point of the contour.
       if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
       // N . J n = -det J / |J t| for the contour's normal N as it is given here and n in the picture.
-      const double across = std::abs(determinant) / stretch;
-      const float nx = static_cast<float>(-wty / stretch), ny = static_cast<float>(wtx / stretch);
-      result.points.push_back({w.x, w.y, nx, ny, static_cast<float>(static_cast<double>(p.sigmaPx) * across),
-                               p.strength, static_cast<std::uint8_t>(camera), p.flags,
+      const double across = std::abs(determinant) / stretch, px = wtx / stretch, py = wty / stretch;
+      // The sheet moves the line aside where its light changes, and pulls it in bends as the filter does.
+      double x = w.x, y = w.y, sheetPull = 0;
+      if (sheet.varianceMm2() > 0 && stripe.smoothingPx > 0) {
+        const Eigen::Vector2d seen = sheet.seenAt(x, y);
+        const double along = seen.x() * px + seen.y() * py, aside = seen.y() * px - seen.x() * py;
+        // t runs against the order of the points: a quarter turn from n, which is one from the line's direction.
+        const double moved = -sheet.varianceMm2() * along * aside * static_cast<double>(p.brightening) / stretch;
+        x -= moved * py;
+        y += moved * px;
+        sheetPull = sheet.varianceMm2() * along * along;
+      }
+      const double filterPull = static_cast<double>(stripe.smoothingPx) * stretch;
+      result.points.push_back({x, y, static_cast<float>(-py), static_cast<float>(px),
+                               static_cast<float>(static_cast<double>(p.sigmaPx) * across), p.strength,
+                               static_cast<std::uint8_t>(camera), p.flags,
                                static_cast<float>(-determinant / stretch * static_cast<double>(p.shiftPx)),
                                static_cast<float>(static_cast<double>(p.ridgeSigmaPx) * across),
-                               stripe.smoothingPx * static_cast<float>(stretch)});
+                               static_cast<float>(std::sqrt(filterPull * filterPull + sheetPull))});
     }
     const auto end = static_cast<std::uint32_t>(result.points.size());
     if (end > (result.lineEnds.empty() ? 0U : result.lineEnds.back())) result.lineEnds.push_back(end);
@@ -58,12 +94,14 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
 /// Of one camera. Immutable: may be used by any thread.
 class Translator {
  public:
-  Translator(int camera, const RangeFinderCalibration& calibration) : camera_(camera), map_(calibration) {}
+  Translator(int camera, const RangeFinderCalibration& calibration)
+      : camera_(camera), map_(calibration), sheet_(calibration) {}
   void translate(std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) const;
 
  private:
   int camera_;
   PlaneMap map_;
+  ObliqueSheet sheet_;
 };
 
 }  // namespace vignole

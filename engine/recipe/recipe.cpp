@@ -26,6 +26,7 @@ struct FieldReader {
   void operator()(const char* key, int& value, int min, int max, const char* /*comment*/) {
     value = file.integer(key, min, max, value);
   }
+  void operator()(const char* key, bool& value, const char* /*comment*/) { value = file.boolean(key, value); }
   void operator()(const char* key, std::optional<double>& value, double min, double max, const char* /*comment*/) {
     if (file.has(key)) value = file.number(key, min, max);
   }

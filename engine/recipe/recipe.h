@@ -26,7 +26,9 @@ struct Recipe {
   std::string straightnessClass = "A";
   DimensionParameters parameters;
   PerDimension<ToleranceLimits> limits;
-  StripeSettings stripe;
+  /// The paper's sigma is chosen for a line as broad as the filter; a rail's is 1 to 1.6 px broad in the nominal rig,
+  /// speckle wants it broader than that.
+  StripeSettings stripe{.sigma = 2.2};
   RegistrationSettings registration;
   MeasurementSettings measurement;
 };

@@ -37,6 +37,7 @@ void forEachField(RecipeType& recipe, Visitor visit) {
   visit("stripe.alpha_deg", s.gapAngle, 0, 90, "alpha: largest angle between the pieces that are joined");
   visit("stripe.min_length_points", s.minLength, 2, 100000, "shorter lines are dropped");
   visit("stripe.max_blocks", s.maxBlocks, 1, 10000000, "8x8 blocks worked on before a frame counts as overloaded");
+  visit("stripe.correction", s.correction, "the pull of bends taken off, smoothed along the line");
 
   auto& r = recipe.registration;
   visit("registration.start_scale_mm", r.startScaleMm, 0.1, 1000, "robust scale of the first pass without a start");

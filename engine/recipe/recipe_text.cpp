@@ -44,6 +44,9 @@ class FieldWriter {
   void operator()(std::string_view key, const Value& value, Limit1 /*min*/, Limit2 /*max*/, const char* comment) {
     line(key, tomlText(value), comment);
   }
+  void operator()(std::string_view key, bool value, const char* comment) {
+    line(key, value ? "true" : "false", comment);
+  }
 
  private:
   void line(std::string_view key, const std::string& value, const char* comment) {

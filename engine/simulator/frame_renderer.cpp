@@ -13,7 +13,6 @@ namespace vignole::simulator {
 
 namespace {
 
-constexpr double kSheetSigmaMm = 0.35;                 // thickness of the laser sheet
 constexpr double kFNumber = 8;                         // the lens' opening
 constexpr double kPixelSigmaPx = 0.28867513459481287;  // of a square pixel: 1/sqrt(12)
 constexpr double kPower = 4200;                        // DN px/mm, so that a bare face seen frontally peaks near 200 DN
@@ -216,6 +215,8 @@ void FrameRenderer::lightStrip(const Scene& scene, const Shot& shot, const View&
                                Scratch& s) const {
   const std::size_t n = scene.world.size();
   Point2 kernelPlace(1e9, 1e9);
+  const double sheetSigmaMm =
+      rig_.calibration.rangeFinders[static_cast<std::size_t>(view.camera)].lightPlane.thicknessMm;
   bool ghostKernel = false;
   const double phase = 2 * std::numbers::pi * scene.alongRailMm / 900;
   const auto first = static_cast<std::size_t>(strip.from);
@@ -255,7 +256,7 @@ void FrameRenderer::lightStrip(const Scene& scene, const Shot& shot, const View&
     const double r1 = surface_.reflectance(around(t1), scene.alongRailMm, shot.scaleShare);
     const bool newKernel = (middle - kernelPlace).squaredNorm() > kKernelReachMm * kKernelReachMm;
     if (newKernel) {
-      s.kernels.push_back(kernelAt(view, scene.pose, middle, kSheetSigmaMm, 0));
+      s.kernels.push_back(kernelAt(view, scene.pose, middle, sheetSigmaMm, 0));
       kernelPlace = middle;
       ghostKernel = false;
     }

@@ -9,6 +9,9 @@ namespace vignole::simulator {
 
 namespace {
 
+constexpr double kSheetSigmaMm = 0.35;  // thickness of the laser sheet
+constexpr double kBlurPx = 0.5;         // lens and pixel as rendered: 0.43 in focus, 0.7 where the field ends
+
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kCameraDistanceMm = 400;
 constexpr double kElevationRad = 40 * kDegree;
@@ -106,6 +109,8 @@ RigGeometry drawRig(std::uint64_t rigSeed) {
     finder.intrinsics = drawLens(draws, i % 2 == 0);
     finder.cameraFromWorld =
         disturbed(lookAt(station.aim, station.azimuthDeg * kDegree, kElevationRad, kCameraDistanceMm), draws);
+    finder.lightPlane.thicknessMm = kSheetSigmaMm;
+    finder.blurPx = kBlurPx;
     rig.lasers[i] = drawLaser(station, draws);
     rig.focusMm[i] = kCameraDistanceMm;
   }

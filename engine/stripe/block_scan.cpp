@@ -68,29 +68,34 @@ void BlockScan::resize(const ImageView& image) {
   runs_.reserve(blocks / 2 + 1);
 }
 
-void BlockScan::sumBlocks(const ImageView& image) {
+void BlockScan::sumRow(int r) {
+  const int wholeColumns = width_ / kBlock, wholeRows = height_ / kBlock;
+  const std::uint8_t* pixels = image_.row(r * kBlock);
+  std::uint16_t* sums = at(sums_, r);
+  const int height = std::min(kBlock, height_ - r * kBlock);
+  if (r < wholeRows)
+    sumBlockRow(pixels, image_.stride, static_cast<std::size_t>(wholeColumns), sums);
+  else
+    for (std::ptrdiff_t c = 0; c < wholeColumns; ++c)
+      sums[c] = cutBlockSum(pixels + c * kBlock, image_.stride, kBlock, height);
+  if (wholeColumns < columns_)
+    sums[wholeColumns] = cutBlockSum(pixels + static_cast<std::ptrdiff_t>(wholeColumns) * kBlock, image_.stride,
+                                     width_ % kBlock, height);
+}
+
+void BlockScan::sample() {
   differences_.clear();
   sampled_.clear();
-  const int wholeColumns = width_ / kBlock, wholeRows = height_ / kBlock;
-  const auto whole = static_cast<std::size_t>(wholeColumns);
-  const int sampling = wholeRows >= 8 * kNoiseSampling ? kNoiseSampling : 1;
-  for (int r = 0; r < rows_; ++r) {
-    const std::uint8_t* pixels = image.row(r * kBlock);
-    std::uint16_t* sums = at(sums_, r);
-    const int height = std::min(kBlock, height_ - r * kBlock);
-    if (r < wholeRows)
-      sumBlockRow(pixels, image.stride, whole, sums);
-    else
-      for (std::ptrdiff_t c = 0; c < wholeColumns; ++c)
-        sums[c] = cutBlockSum(pixels + c * kBlock, image.stride, kBlock, height);
-    if (wholeColumns < columns_)
-      sums[wholeColumns] = cutBlockSum(pixels + static_cast<std::ptrdiff_t>(wholeColumns) * kBlock, image.stride,
-                                       width_ % kBlock, height);
-    if (r < wholeRows && r % sampling == sampling / 2) {  // while these pixels are in the nearest cache
-      differences_.resize(differences_.size() + whole);
-      sumBlockDifferences(pixels, image.stride, whole, differences_.data() + differences_.size() - whole);
-      sampled_.insert(sampled_.end(), sums, sums + whole);
-    }
+  sampledRow_.assign(static_cast<std::size_t>(rows_), 0);
+  const int wholeRows = height_ / kBlock, sampling = wholeRows >= 8 * kNoiseSampling ? kNoiseSampling : 1;
+  const auto whole = static_cast<std::size_t>(width_ / kBlock);
+  for (int r = sampling / 2; r < wholeRows; r += sampling) {
+    sumRow(r);
+    sampledRow_[static_cast<std::size_t>(r)] = 1;
+    differences_.resize(differences_.size() + whole);
+    sumBlockDifferences(image_.row(r * kBlock), image_.stride, whole,
+                        differences_.data() + differences_.size() - whole);
+    sampled_.insert(sampled_.end(), at(sums_, r), at(sums_, r) + whole);
   }
 }
 
@@ -102,33 +107,47 @@ void BlockScan::measureNoise() {
   backgroundDn_ = static_cast<float>(medianByCounting(sampled_, 64 * 255 / 8 + 1, histogram_)) * 8 / kPixels;
 }
 
-void BlockScan::findBackground(int radius) {
+void BlockScan::findBackground(int r) {
   const auto count = static_cast<std::size_t>(columns_);
-  for (int r = 0; r < rows_; ++r) minimumAlongRow(at(sums_, r), radius, count, at(rowMinima_, r));
-  for (int r = 0; r < rows_; ++r) {
-    const std::uint16_t* window[17];
-    int used = 0;
-    for (int k = std::max(0, r - radius); k <= std::min(rows_ - 1, r + radius); ++k) window[used++] = at(rowMinima_, k);
-    backgroundAndExcess(window, used, at(sums_, r), count, at(background_, r), at(excess_, r));
-    std::fill_n(at(excess_, r) + count, 8, std::uint16_t{0});  // what the last vector wrote into the margin
+  const int radius = settings_.radius;
+  for (; summed_ <= std::min(rows_ - 1, r + radius); ++summed_) {
+    if (sampledRow_[static_cast<std::size_t>(summed_)] == 0) sumRow(summed_);
+    minimumAlongRow(at(sums_, summed_), radius, count, at(rowMinima_, summed_));
   }
+  const std::uint16_t* window[17];
+  int used = 0;
+  for (int k = std::max(0, r - radius); k <= std::min(rows_ - 1, r + radius); ++k) window[used++] = at(rowMinima_, k);
+  backgroundAndExcess(window, used, at(sums_, r), count, at(background_, r), at(excess_, r));
+  std::fill_n(at(excess_, r) + count, 8, std::uint16_t{0});  // what the last vector wrote into the margin
 }
 
-void BlockScan::markCandidates(const BlockScanSettings& settings) {
+void BlockScan::begin(const ImageView& image, const BlockScanSettings& settings) {
+  image_ = image;
+  settings_ = settings;
+  resize(image);
+  sample();
+  measureNoise();
   const double blockNoiseDn = noiseDn_ / kBlock;  // a mean of 64 pixels
   const double window = (2.0 * settings.radius + 1) * (2.0 * settings.radius + 1);
   minimumBiasDn_ = static_cast<float>(expectedMinimum(window) * blockNoiseDn);
   const double thresholdDn = minimumBiasDn_ + std::max(settings.leastContrast, settings.noiseFactor * blockNoiseDn);
-  const auto floor = static_cast<std::uint16_t>(std::min(65535.0, thresholdDn * kPixels));
-  const auto pitch = static_cast<std::ptrdiff_t>(pitch_);
+  floor_ = static_cast<std::uint16_t>(std::min(65535.0, thresholdDn * kPixels));
   candidates_ = 0;
-  for (int r = 0; r < rows_; ++r)
-    markBlocks(at(excess_, r), pitch, floor, static_cast<std::size_t>(columns_),
-               marks_.data() + static_cast<std::size_t>(r) * words_);
-  for (const std::uint64_t word : marks_) candidates_ += static_cast<std::size_t>(std::popcount(word));
+  summed_ = bordered_ = 0;
+  runs_.clear();
 }
 
-void BlockScan::capCandidates(std::size_t maxBlocks) {
+std::span<const BlockRun> BlockScan::settle(int row) {
+  for (; bordered_ <= std::min(rows_ - 1, row + 1); ++bordered_) findBackground(bordered_);
+  std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(row) * words_;
+  markBlocks(at(excess_, row), static_cast<std::ptrdiff_t>(pitch_), floor_, static_cast<std::size_t>(columns_), marks);
+  for (std::size_t w = 0; w < words_; ++w) candidates_ += static_cast<std::size_t>(std::popcount(marks[w]));
+  const std::size_t before = runs_.size();
+  collectRuns(row);
+  return std::span(runs_).subspan(before);
+}
+
+void BlockScan::cap() {
   std::fill(histogram_.begin(), histogram_.end(), 0U);
   const auto each = [this](const auto& work) {
     for (std::size_t w = 0; w < marks_.size(); ++w)
@@ -140,42 +159,31 @@ void BlockScan::capCandidates(std::size_t maxBlocks) {
   };
   each([this](std::uint64_t, std::uint64_t, std::size_t excess) { ++histogram_[excess]; });
   std::size_t kept = 0, level = histogram_.size();
-  while (level > 0 && kept + histogram_[level - 1] <= maxBlocks) kept += histogram_[--level];
+  const auto most = static_cast<std::size_t>(settings_.maxBlocks);
+  while (level > 0 && kept + histogram_[level - 1] <= most) kept += histogram_[--level];
   each([level](std::uint64_t& word, std::uint64_t bit, std::size_t excess) {
     if (excess < level) word &= ~bit;
   });
-  candidates_ = kept;
+  runs_.clear();
+  for (int row = 0; row < rows_; ++row) collectRuns(row);
 }
 
-void BlockScan::collectRuns() {
-  runs_.clear();
-  for (std::size_t w = 0; w < marks_.size(); ++w) {
-    const auto row = static_cast<std::uint16_t>(w / words_);
-    std::uint64_t left = marks_[w];
+void BlockScan::collectRuns(int row) {
+  for (std::size_t w = 0; w < words_; ++w) {
+    std::uint64_t left = marks_[static_cast<std::size_t>(row) * words_ + w];
     for (std::size_t bit = 0; left != 0;) {
       const auto gap = static_cast<std::size_t>(std::countr_zero(left));
       left >>= gap;
       const auto length = static_cast<std::size_t>(std::countr_one(left));
-      const auto first = static_cast<std::uint16_t>(w % words_ * 64 + bit + gap);
+      const auto first = static_cast<std::uint16_t>(w * 64 + bit + gap);
       if (!runs_.empty() && runs_.back().row == row && runs_.back().first + runs_.back().count == first)
         runs_.back().count = static_cast<std::uint16_t>(runs_.back().count + length);  // on from the word before
       else
-        runs_.push_back({row, first, static_cast<std::uint16_t>(length)});
+        runs_.push_back({static_cast<std::uint16_t>(row), first, static_cast<std::uint16_t>(length)});
       left = length == 64 ? 0 : left >> length;
       bit += gap + length;
     }
   }
-}
-
-void BlockScan::scan(const ImageView& image, const BlockScanSettings& settings) {
-  resize(image);
-  sumBlocks(image);
-  measureNoise();
-  findBackground(settings.radius);
-  markCandidates(settings);
-  overloaded_ = candidates_ > static_cast<std::size_t>(settings.maxBlocks);
-  if (overloaded_) capCandidates(static_cast<std::size_t>(settings.maxBlocks));
-  collectRuns();
 }
 
 }  // namespace vignole

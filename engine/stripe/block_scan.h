@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/geometry/image_view.h"
@@ -23,16 +24,25 @@ struct BlockRun {
   std::uint16_t row = 0, first = 0, count = 0;
 };
 
-/// Buffers live from frame to frame. Blocks cut by the right or lower edge have their sums scaled to 64 pixels.
+/// Row by row, so that the pixels of the rows to come are on their way from memory while the next stage works on those
+/// that are settled. Buffers live from frame to frame. Blocks cut by the right or lower edge have their sums scaled to
+/// 64 pixels.
 class BlockScan {
  public:
-  void scan(const ImageView& image, const BlockScanSettings& settings);
+  /// Measures noise and background on a sample of the block rows; every later call is about this image.
+  void begin(const ImageView& image, const BlockScanSettings& settings);
+  /// The candidates of block row `row`, which must be 0, 1, 2 ... in turn. Looks `radius` + 1 rows ahead.
+  std::span<const BlockRun> settle(int row);
+  /// After the last row of a frame that is overloaded: keeps the brightest maxBlocks and leaves them in runs().
+  void cap();
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
+  /// Of all rows settled so far.
   [[nodiscard]] const std::vector<BlockRun>& runs() const { return runs_; }
   [[nodiscard]] std::size_t candidates() const { return candidates_; }
-  [[nodiscard]] bool overloaded() const { return overloaded_; }
+  /// More than maxBlocks so far.
+  [[nodiscard]] bool overloaded() const { return candidates_ > static_cast<std::size_t>(settings_.maxBlocks); }
   /// Standard deviation of a pixel, DN, from neighbours in the median block; at least that of rounding, 1/sqrt(12).
   [[nodiscard]] float noiseDn() const { return noiseDn_; }
   /// Median of the blocks, DN.
@@ -43,18 +53,21 @@ class BlockScan {
  private:
   using Grid = std::vector<std::uint16_t>;
   void resize(const ImageView& image);
-  void sumBlocks(const ImageView& image);
+  void sumRow(int row);
+  void sample();
   void measureNoise();
-  void findBackground(int radius);
-  void markCandidates(const BlockScanSettings& settings);
-  void capCandidates(std::size_t maxBlocks);
-  void collectRuns();
+  void findBackground(int row);
+  void collectRuns(int row);
   [[nodiscard]] std::uint16_t* at(Grid& grid, int row) { return grid.data() + offset(row); }
   [[nodiscard]] std::size_t offset(int row) const;
 
   int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
   std::size_t pitch_ = 0, candidates_ = 0;
-  bool overloaded_ = false;
+  ImageView image_;
+  BlockScanSettings settings_;
+  std::uint16_t floor_ = 0;        // a candidate's sum lies that far above its background
+  int summed_ = 0, bordered_ = 0;  // rows up to there have their minima, their backgrounds
+  std::vector<std::uint8_t> sampledRow_;
   float noiseDn_ = 0, backgroundDn_ = 0;
   float minimumBiasDn_ = 0;  // how far the darkest of a window lies below its mean because of noise
   // Grids with a margin around them, so that windows need no bounds.

@@ -79,7 +79,7 @@ bool LineEnds::measure(const ImageView& image, const RidgeFilter& filter, float 
            ny,
            ridge,
            s[4],
-           dy * nx - dx * ny,
+           0,  // the direction is known: light that changes along the line does not turn it
            packedPixel(column, row)};
   return true;
 }
@@ -142,10 +142,10 @@ void LineEnds::retrace(const ImageView& image, const RidgeFilter& filter, const 
                           last - atHead.last <= atStop.last;
     const auto first = static_cast<std::uint32_t>(points_.size);
     if (!retraced) {
-      for (const std::uint32_t i : order) points_.push(all.at(i));
+      points_.append(all, order);
     } else {
       for (auto p = head_.rbegin(); p != head_.rend(); ++p) points_.push(*p);
-      for (std::size_t k = last - atHead.last; k <= atStop.last; ++k) points_.push(all.at(order[k]));
+      points_.append(all, order.subspan(last - atHead.last, atStop.last + 1 - (last - atHead.last)));
       for (const RidgePoint& p : stop_) points_.push(p);
     }
     pieces_.push_back({first, static_cast<std::uint32_t>(points_.size) - first});

@@ -91,6 +91,27 @@ void ridgeSigma(LinePoints& p, float gradient, float speckle, float variance) {
   }
 }
 
+void brightening(LinePoints& p) {
+  constexpr std::ptrdiff_t kReach = 5;
+  const Floats reach = set(kReach);
+  for (std::size_t i = 0; i < p.size; i += hn::Lanes(kFloats)) {
+    // Slope of a straight line through the strengths, over their mean.
+    Floats slope = hn::Zero(kFloats), sum = load(p.strength, i);
+    for (std::ptrdiff_t k = 1; k <= kReach; ++k) {
+      const Floats before = hn::LoadU(kFloats, p.strength.data() + i - k);
+      const Floats behind = hn::LoadU(kFloats, p.strength.data() + i + k);
+      slope = hn::MulAdd(set(static_cast<float>(k)), hn::Sub(behind, before), slope);
+      sum = hn::Add(sum, hn::Add(before, behind));
+    }
+    const Floats way =
+        hn::Sub(hn::LoadU(kFloats, p.arc.data() + i + kReach), hn::LoadU(kFloats, p.arc.data() + i - kReach));
+    // sum k^2 = 55 to either side, 2 kReach + 1 strengths, way / (2 kReach) px from one to the next
+    constexpr float kFactor = 11.0F * 10 / 110;
+    const Floats relative = hn::Div(hn::Mul(set(kFactor), slope), hn::Mul(sum, way));
+    store(hn::IfThenElseZero(hn::Ge(load(p.room, i), reach), relative), p.brightening, i);
+  }
+}
+
 /// Sums for the parabola w = c0 + c1 u + c2 u^2 in the frame of a point, u along the line, w along its normal.
 struct Moments {
   Floats s0, s1, s2, s3, s4, w0, w1, w2, ww;
@@ -171,6 +192,7 @@ HWY_EXPORT(light);
 HWY_EXPORT(orient);
 HWY_EXPORT(ridgeSigma);
 HWY_EXPORT(smooth);
+HWY_EXPORT(brightening);
 
 void measureLight(LinePoints& points, float filterVariancePx2) {
   HWY_DYNAMIC_DISPATCH(light)(points, filterVariancePx2);
@@ -185,6 +207,8 @@ void setRidgeSigma(LinePoints& points, float gradientNoiseDn, float speckle, flo
 void smoothAlong(LinePoints& points, const LineSmoothing& smoothing) {
   HWY_DYNAMIC_DISPATCH(smooth)(points, smoothing);
 }
+
+void setBrightening(LinePoints& points) { HWY_DYNAMIC_DISPATCH(brightening)(points); }
 
 }  // namespace vignole
 #endif

@@ -20,4 +20,7 @@ void setRidgeSigma(LinePoints& points, float gradientNoiseDn, float speckle, flo
 /// Fills bend, shift and shiftedSigma where there is room for the narrowest window, and 0, 0, sigma elsewhere.
 void smoothAlong(LinePoints& points, const LineSmoothing& smoothing);
 
+/// Fills `brightening` from the neighbours up to five places away; 0 where there is no room for them.
+void setBrightening(LinePoints& points);
+
 }  // namespace vignole

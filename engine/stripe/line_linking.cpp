@@ -6,7 +6,8 @@
 namespace vignole {
 namespace {
 
-constexpr std::size_t kLevels = 64;
+/// Walks begin at points of so many times the least strength of a beginning, then at the others.
+constexpr std::array<float, 3> kSeedLevels{8, 3, 1};
 
 /// Distance weighs less than leaving the direction: the next point is the one straight ahead.
 float stepCost(float along, float across, float turn) { return 0.3F * along + 2 * across + turn; }
@@ -26,24 +27,6 @@ constexpr std::array<Neighbour, 8> kNeighbours{{{-RidgePoints::kMapPitch - 1, -1
                                                 {RidgePoints::kMapPitch + 1, 1, 1}}};
 
 }  // namespace
-
-// Strongest first, by a counting sort into levels of strength; within a level in reading order.
-void LineLinker::collectSeeds(const RidgeArrays& points, float highRidge) {
-  std::array<std::uint32_t, kLevels + 1> begin{};
-  float strongest = highRidge;
-  for (std::size_t i = 0; i < points.size; ++i) strongest = std::max(strongest, points.ridge[i]);
-  const float scale = static_cast<float>(kLevels - 1) / strongest;
-  seedLevel_.resize(points.size);
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const std::size_t level = kLevels - 1 - static_cast<std::size_t>(points.ridge[i] * scale);
-    seedLevel_[i] = static_cast<std::uint8_t>(points.ridge[i] >= highRidge ? level : kLevels);
-    if (seedLevel_[i] < kLevels) ++begin[level + 1];
-  }
-  for (std::size_t l = 1; l <= kLevels; ++l) begin[l] += begin[l - 1];
-  seeds_.resize(begin[kLevels]);
-  for (std::size_t i = 0; i < points.size; ++i)
-    if (seedLevel_[i] < kLevels) seeds_[begin[seedLevel_[i]]++] = static_cast<std::uint32_t>(i);
-}
 
 // The best of the eight neighbours that lie ahead. The others abreast of it, or of the point, are used up on the way.
 int LineLinker::successor(const RidgePoints& ridges, const Step& from) {
@@ -121,27 +104,31 @@ void LineLinker::walk(const RidgePoints& ridges, Step from, std::vector<std::uin
 void LineLinker::link(const RidgePoints& ridges, const LinkingSettings& settings) {
   const RidgeArrays& points = ridges.points();
   used_.assign(points.size, 0);
-  collectSeeds(points, settings.highRidge);
   order_.clear();
   pieces_.clear();
-  for (const std::uint32_t seed : seeds_) {
-    if (used_[seed] != 0) continue;
-    used_[seed] = 1;
-    const float tx = -points.ny[seed], ty = points.nx[seed];
-    const std::size_t first = order_.size();
-    backward_.clear();
-    // Forward from the seed, then backward; what went forward is moved behind what went backward.
-    order_.push_back(seed);
-    walk(ridges, {seed, tx, ty}, order_);
-    walk(ridges, {seed, -tx, -ty}, backward_);
-    const std::size_t count = order_.size() - first + backward_.size();
-    if (count < static_cast<std::size_t>(settings.minLength)) {
-      order_.resize(first);
-      continue;
-    }
-    order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(first), backward_.rbegin(), backward_.rend());
-    pieces_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
+  for (const float level : kSeedLevels) {
+    const float least = level * settings.highRidge;
+    for (std::uint32_t seed = 0; seed < points.size; ++seed)
+      if (used_[seed] == 0 && points.ridge[seed] >= least) linkFrom(ridges, seed, settings.minLength);
   }
+}
+
+void LineLinker::linkFrom(const RidgePoints& ridges, std::uint32_t seed, int minLength) {
+  used_[seed] = 1;
+  const float tx = -ridges.points().ny[seed], ty = ridges.points().nx[seed];
+  const std::size_t first = order_.size();
+  backward_.clear();
+  // What went forward is moved behind what went backward.
+  order_.push_back(seed);
+  walk(ridges, {seed, tx, ty}, order_);
+  walk(ridges, {seed, -tx, -ty}, backward_);
+  const std::size_t count = order_.size() - first + backward_.size();
+  if (count < static_cast<std::size_t>(minLength)) {
+    order_.resize(first);
+    return;
+  }
+  order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(first), backward_.rbegin(), backward_.rend());
+  pieces_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
 }
 
 }  // namespace vignole

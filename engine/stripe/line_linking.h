@@ -37,13 +37,13 @@ class LineLinker {
     std::uint32_t at = 0;
     float tx = 0, ty = 0;
   };
-  void collectSeeds(const RidgeArrays& points, float highRidge);
+  void linkFrom(const RidgePoints& ridges, std::uint32_t seed, int minLength);
   void walk(const RidgePoints& ridges, Step from, std::vector<std::uint32_t>& out);
   int successor(const RidgePoints& ridges, const Step& from);
   [[nodiscard]] int successorBeyond(const RidgePoints& ridges, const Step& from) const;
 
-  std::vector<std::uint8_t> used_, seedLevel_;
-  std::vector<std::uint32_t> seeds_, backward_, order_;
+  std::vector<std::uint8_t> used_;
+  std::vector<std::uint32_t> backward_, order_;
   std::vector<LinePiece> pieces_;
 };
 

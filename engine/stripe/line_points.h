@@ -43,12 +43,13 @@ struct LinePoints {
   PaddedFloats bend;          ///< half the curvature, 1/px, weighted by its noise; > 0 towards the normal
   PaddedFloats shift;         ///< along the normal from the ridge to the point as given out, px
   PaddedFloats shiftedSigma;  /// standard uncertainty of the point as given out, px
+  PaddedFloats brightening;   ///< relative change of the strength along the line, 1/px
   std::vector<std::uint32_t> pixel;
   std::vector<std::uint8_t> flags;
 
   void reserve(std::size_t count) {
     for (PaddedFloats* v : {&x, &y, &nx, &ny, &ridge, &light, &along, &s2, &strength, &step, &arc, &edge, &room, &sigma,
-                            &bend, &shift, &shiftedSigma})
+                            &bend, &shift, &shiftedSigma, &brightening})
       v->reserve(count);
     if (pixel.size() < count) pixel.resize(count);
     if (flags.size() < count) flags.resize(count);

@@ -49,13 +49,12 @@ LineSmoothing lineSmoothing(double filterVariancePx2, double blurVariancePx2, bo
   LineSmoothing smoothing;
   smoothing.pullPx2 = static_cast<float>(filterVariancePx2 + blurVariancePx2);
   smoothing.applied = applied;
-  // Neighbouring points share their error: beyond the narrowest window every second one tells as much.
-  smoothing.windows[0] = {{1, 2, 3, 4, 5, 6}, 6, 1, 6};
+  // Neighbouring points share their error: every second one tells as much, far out every fifth.
+  smoothing.windows[0] = {{2, 4, 6}, 3, 2, 6};
   smoothing.windows[1] = {{8, 10}, 2, 2, 10};
-  smoothing.windows[2] = {{12, 14}, 2, 2, 14};
-  smoothing.windows[3] = {{16, 18, 20}, 3, 2, 20};
-  smoothing.windows[4] = {{22, 24, 26, 28}, 4, 2, 28};
-  smoothing.windows[5] = {{30, 32, 34, 36, 38, 40}, 6, 2, 40};
+  smoothing.windows[2] = {{13, 16}, 2, 3, 16};
+  smoothing.windows[3] = {{20, 24}, 2, 4, 24};
+  smoothing.windows[4] = {{29, 34}, 2, 5, 34};
   std::vector<Member> members{{0, 1}};
   for (SmoothingWindow& window : smoothing.windows) {
     for (int k = 0; k < window.count; ++k)

@@ -11,7 +11,7 @@ namespace vignole {
 
 /// One window: it adds the neighbours `offsets[0 .. count)` on both sides to those of the windows before.
 struct SmoothingWindow {
-  std::array<int, 8> offsets{};
+  std::array<int, 3> offsets{};
   int count = 0;
   float weight = 1;      ///< of each: how many points it stands for
   float room = 0;        ///< neighbours that it reaches to
@@ -23,7 +23,7 @@ struct SmoothingWindow {
 };
 
 struct LineSmoothing {
-  static constexpr std::size_t kWindows = 6;
+  static constexpr std::size_t kWindows = 5;
   std::array<SmoothingWindow, kWindows> windows;
   float pullPx2 = 0;    ///< variance of filter and lens blur: the pull is half of it times the curvature
   bool applied = true;  ///< false: only the curvature is told, the points stay

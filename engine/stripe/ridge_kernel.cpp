@@ -177,12 +177,12 @@ void smoothNine(const std::uint8_t* pixels, std::ptrdiff_t stride, const RidgeFi
     hn::StoreU(second, kFloats, vertical[1] + i);
     hn::StoreU(third, kFloats, vertical[2] + i);
   }
-  for (int row = 0; row < 3; ++row)
-    for (int shift = 0; shift < 3; ++shift) {
-      float sum = 0;
-      for (int k = 0; k < length; ++k) sum += vertical[row][k + shift] * filter.taps[static_cast<std::size_t>(k)];
-      nine[3 * row + shift] = sum;
-    }
+  float sums[9] = {};
+  for (int k = 0; k < length; ++k)  // nine sums side by side: none waits for another
+    for (int row = 0; row < 3; ++row)
+      for (int shift = 0; shift < 3; ++shift)
+        sums[3 * row + shift] += vertical[row][k + shift] * filter.taps[static_cast<std::size_t>(k)];
+  for (int i = 0; i < 9; ++i) nine[i] = sums[i];
 }
 
 const char* targetName() { return hwy::TargetName(HWY_TARGET); }
@@ -256,6 +256,19 @@ void RidgeArrays::push(const RidgePoint& p) {
   smoothed[size] = p.smoothed;
   along[size] = p.along;
   pixel[size++] = p.pixel;
+}
+
+void RidgeArrays::append(const RidgeArrays& from, std::span<const std::uint32_t> order) {
+  const auto take = [&](auto RidgeArrays::*field) {
+    auto* to = (this->*field).data() + size;
+    const auto* source = (from.*field).data();
+    for (std::size_t k = 0; k < order.size(); ++k) to[k] = source[order[k]];
+  };
+  for (auto field : {&RidgeArrays::x, &RidgeArrays::y, &RidgeArrays::nx, &RidgeArrays::ny, &RidgeArrays::ridge,
+                     &RidgeArrays::smoothed, &RidgeArrays::along})
+    take(field);
+  take(&RidgeArrays::pixel);
+  size += order.size();
 }
 
 void RidgeCandidates::reserve(std::size_t count) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vignole {
@@ -26,11 +27,11 @@ struct RidgeFilter {
 
 /// One pixel through which a bright line passes, by value.
 struct RidgePoint {
-  float x = 0, y = 0;       ///< point of the line nearest to the pixel's centre, px
-  float nx = 0, ny = 0;     ///< unit normal, either sign
-  float ridge = 0;          ///< second derivative across the line, negated, DN/px^2
-  float smoothed = 0;       ///< smoothed brightness of the pixel, DN
-  float along = 0;          ///< its derivative along the line, in direction (-ny, nx), DN/px
+  float x = 0, y = 0;    ///< point of the line nearest to the pixel's centre, px
+  float nx = 0, ny = 0;  ///< unit normal, either sign
+  float ridge = 0;       ///< second derivative across the line, negated, DN/px^2
+  float smoothed = 0;    ///< smoothed brightness of the pixel, DN
+  float along = 0;       ///< its derivative along the line, in direction (-ny, nx), DN/px; 0 where that turns no normal
   std::uint32_t pixel = 0;  ///< row << 16 | column
 };
 [[nodiscard]] constexpr std::uint32_t packedPixel(int column, int row) {
@@ -47,6 +48,8 @@ struct RidgeArrays {
 
   void reserve(std::size_t count);
   void push(const RidgePoint& p);  ///< room must have been reserved
+  /// from[order[0]], from[order[1]] ...; room must have been reserved.
+  void append(const RidgeArrays& from, std::span<const std::uint32_t> order);
   [[nodiscard]] RidgePoint at(std::size_t i) const {
     return {x[i], y[i], nx[i], ny[i], ridge[i], smoothed[i], along[i], pixel[i]};
   }

@@ -8,7 +8,7 @@ namespace vignole {
 RidgePoints::RidgePoints() : band_(std::make_unique<RidgeBand>()) {}
 
 int RidgePoints::indexAt(int column, int row) const {
-  if (column < 0 || row < 0 || column >= width_ || row >= height_) return -1;
+  if (column < 0 || row < 0 || column >= image_.width || row >= image_.height) return -1;
   const int block = (row / kBlock + 1) * (columns_ + 2) + column / kBlock + 1;
   const std::ptrdiff_t pixel = (row % kBlock + 1) * kMapPitch + column % kBlock + 1;
   return static_cast<int>(
@@ -34,29 +34,36 @@ void RidgePoints::enter(std::size_t i) {
   if (besideX != 0 && besideY != 0) put(bx + besideX, by + besideY, x - besideX * kBlock, y - besideY * kBlock);
 }
 
-void RidgePoints::find(const ImageView& image, const BlockScan& scan, const RidgeFilter& filter) {
-  width_ = image.width;
-  height_ = image.height;
-  columns_ = scan.columns();
+void RidgePoints::begin(const ImageView& image, const RidgeFilter& filter) {
+  image_ = image;
+  filter_ = filter;
+  columns_ = (image.width + kBlock - 1) / kBlock;
   candidates_.size = 0;
-  candidates_.reserve(scan.candidates() * kBlock * kBlock);
-  mapOfBlock_.assign(static_cast<std::size_t>(columns_ + 2) * static_cast<std::size_t>(scan.rows() + 2), 0);
-  maps_.assign((scan.candidates() + 1) * kMap, 0);
-  std::uint16_t map = 0;
-  for (const BlockRun& run : scan.runs()) {
-    for (int c = 0; c < run.count; ++c) mapOfBlock(run.first + c, run.row) = ++map;
-    constexpr int kStep = kMaxBandWidth / kBlock;
+}
+
+void RidgePoints::find(std::span<const BlockRun> runs) {
+  constexpr int kStep = kMaxBandWidth / kBlock;
+  for (const BlockRun& run : runs)
     for (int c = 0; c < run.count; c += kStep) {
       const int column = (run.first + c) * kBlock, row = run.row * kBlock;
-      const int width = std::min(std::min(kStep, run.count - c) * kBlock, width_ - column);
-      const auto [pixels, stride] = window_.at(image, filter, column, row, width);
-      findRidgeCandidates(pixels, stride, width, std::min(kBlock, height_ - row), column, row, filter, *band_,
-                          candidates_);
+      const int width = std::min(std::min(kStep, run.count - c) * kBlock, image_.width - column);
+      const int height = std::min(kBlock, image_.height - row);
+      const auto [pixels, stride] = window_.at(image_, filter_, column, row, width);
+      candidates_.reserve(candidates_.size + static_cast<std::size_t>(width * height));
+      findRidgeCandidates(pixels, stride, width, height, column, row, filter_, *band_, candidates_);
     }
-  }
-  testRidgeCandidates(candidates_, filter.leastRidge, points_);
+}
+
+void RidgePoints::finish(std::span<const BlockRun> runs) {
+  testRidgeCandidates(candidates_, filter_.leastRidge, points_);
   // An index must fit into a map; so many points are texture, and what is over is left out.
   points_.size = std::min<std::size_t>(points_.size, std::numeric_limits<std::uint16_t>::max() - 1);
+  const int rows = (image_.height + kBlock - 1) / kBlock;
+  mapOfBlock_.assign(static_cast<std::size_t>(columns_ + 2) * static_cast<std::size_t>(rows + 2), 0);
+  std::uint16_t map = 0;
+  for (const BlockRun& run : runs)
+    for (int c = 0; c < run.count; ++c) mapOfBlock(run.first + c, run.row) = ++map;
+  maps_.assign((map + std::size_t{1}) * kMap, 0);
   place_.resize(std::max(place_.size(), points_.size));
   for (std::size_t i = 0; i < points_.size; ++i) enter(i);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/geometry/image_view.h"
@@ -17,8 +18,11 @@ namespace vignole {
 class RidgePoints {
  public:
   RidgePoints();
-  /// Works on the blocks the scan marked. Beyond the picture's border its edge is repeated.
-  void find(const ImageView& image, const BlockScan& scan, const RidgeFilter& filter);
+  void begin(const ImageView& image, const RidgeFilter& filter);
+  /// Works on these blocks too. Beyond the picture's border its edge is repeated.
+  void find(std::span<const BlockRun> runs);
+  /// When all blocks have been worked on, which were those of `runs`.
+  void finish(std::span<const BlockRun> runs);
 
   [[nodiscard]] const RidgeArrays& points() const { return points_; }
   /// Index of the point whose pixel this is, or -1.
@@ -36,7 +40,9 @@ class RidgePoints {
     return mapOfBlock_[static_cast<std::size_t>((row + 1) * (columns_ + 2) + column + 1)];
   }
 
-  int width_ = 0, height_ = 0, columns_ = 0;
+  ImageView image_;
+  RidgeFilter filter_;
+  int columns_ = 0;
   std::unique_ptr<RidgeBand> band_;
   BandWindow window_;
   RidgeCandidates candidates_;

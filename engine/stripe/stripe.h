@@ -27,6 +27,9 @@ struct StripePoint {
   /// and the line smoothed. The ridge itself is (x, y) - shiftPx (nx, ny), with a standard uncertainty of its own.
   float shiftPx = 0;
   float ridgeSigmaPx = 0;
+  /// Relative change of the contrast along the line, in the order of its points, 1/px: a blur that lies oblique to the
+  /// line moves it aside by this times the blur's covariance of along and across. 0 where an end of the line is near.
+  float brightening = 0;
   std::uint8_t flags = 0;  ///< StripeFlag
 };
 

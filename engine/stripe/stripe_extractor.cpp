@@ -19,8 +19,7 @@ namespace vignole {
 namespace {
 
 constexpr int kClippedDn = 254;
-// No line is clipped whose smoothed brightness is below this: even a line of 0.6 px under the widest filter reaches it.
-constexpr float kNeverClippedDn = 17;
+constexpr float kNarrowestLinePx = 0.6F;     // a pixel and a lens alone make a line that broad
 constexpr float kEndTouchesSigma = 2;        // so far an end's own error reaches into the smoothing, in sigma
 constexpr float kPointSpacingPx = 1.13F;     // averaged over all directions of a line
 constexpr float kCrosstalkShare = 0.1F;      // of the contrast of the better half of its line
@@ -76,6 +75,7 @@ struct StripeExtractor::Impl {
   Impl(const StripeSettings& s, const StripeOptics& o);
   void extract(const ImageView& image, StripeResult& result);
   void setThresholds();
+  void findRidges(const ImageView& image);
   void gather();
   void gather(const LineChain& chain);
   void turnRound(const LineRange& line);
@@ -148,17 +148,20 @@ void StripeExtractor::Impl::gather(const LineChain& chain) {
     const ChainLink link = gapLinker.links()[l];
     const LinePiece piece = lineEnds.pieces()[link.piece];
     if (l > chain.first) gapStarts.push_back(static_cast<std::uint32_t>(points.size));
-    for (std::uint32_t k = 0; k < piece.count; ++k) {
-      const std::size_t i = piece.first + (link.reversed ? piece.count - 1 - k : k), to = points.size++;
-      points.x[to] = from.x[i];
-      points.y[to] = from.y[i];
-      points.nx[to] = from.nx[i];
-      points.ny[to] = from.ny[i];
-      points.ridge[to] = from.ridge[i];
-      points.light[to] = from.smoothed[i];
-      points.along[to] = from.along[i];
-      points.pixel[to] = from.pixel[i];
-    }
+    const auto take = [&](const auto& source, auto* to) {
+      const auto begin = source.begin() + piece.first, end = begin + piece.count;
+      link.reversed ? std::reverse_copy(begin, end, to) : std::copy(begin, end, to);
+    };
+    const std::size_t to = points.size;
+    take(from.x, points.x.data() + to);
+    take(from.y, points.y.data() + to);
+    take(from.nx, points.nx.data() + to);
+    take(from.ny, points.ny.data() + to);
+    take(from.ridge, points.ridge.data() + to);
+    take(from.smoothed, points.light.data() + to);
+    take(from.along, points.along.data() + to);
+    take(from.pixel, points.pixel.data() + to);
+    points.size += piece.count;
   }
   const LineRange line{first, static_cast<std::uint32_t>(points.size) - first};
   const std::size_t last = points.size - 1;
@@ -178,9 +181,12 @@ void StripeExtractor::Impl::turnRound(const LineRange& line) {
 }
 
 void StripeExtractor::Impl::measure(const ImageView& image) {
+  // What the filter leaves of the narrowest line that is clipped.
+  const auto leastClipped =
+      static_cast<float>(kClippedDn * kNarrowestLinePx / std::hypot(kNarrowestLinePx, settings.sigma));
   for (std::size_t i = 0; i < points.size; ++i) {
     const int column = columnOf(points.pixel[i]), row = rowOf(points.pixel[i]);
-    points.flags[i] = points.light[i] > kNeverClippedDn && clippedAt(image, column, row) ? kSaturated : 0;
+    points.flags[i] = points.light[i] > leastClipped && clippedAt(image, column, row) ? kSaturated : 0;
     points.light[i] -= scan.backgroundAt(column, row);
   }
   measureLight(points, static_cast<float>(filter.variancePx2));
@@ -235,7 +241,7 @@ void StripeExtractor::Impl::flagEnds(const Competitor& line, std::span<const std
 // The light of another laser continues the line, many times weaker.
 void StripeExtractor::Impl::flagCrosstalk(const LineRange& line) {
   sorted.clear();
-  for (std::uint32_t i = line.first; i < line.end(); i += 8) sorted.push_back(points.strength[i]);
+  for (std::uint32_t i = line.first; i < line.end(); i += 16) sorted.push_back(points.strength[i]);
   const auto upper = sorted.begin() + static_cast<std::ptrdiff_t>(3 * sorted.size() / 4);
   std::nth_element(sorted.begin(), upper, sorted.end());
   const float limit = kCrosstalkShare * *upper;
@@ -254,6 +260,7 @@ void StripeExtractor::Impl::smooth() {
   const auto variance = static_cast<float>(filter.variancePx2);
   setRidgeSigma(points, static_cast<float>(scan.noiseDn() * filter.gradientNoise), speckleMeter.speckle(), variance);
   smoothAlong(points, smoothing);
+  setBrightening(points);
   std::size_t gap = 0;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     std::uint32_t first = lines[l].range.first;
@@ -322,7 +329,8 @@ void StripeExtractor::Impl::write(StripeResult& result) {
       const float ridgeSigma = points.sigma[i],
                   sigma = smoothing.applied ? points.shiftedSigma[i] : std::hypot(ridgeSigma, pull);
       p = {points.x[i] + shift * nx, points.y[i] + shift * ny, nx,    ny,         sigma,
-           points.strength[i],       std::sqrt(points.s2[i]),  shift, ridgeSigma, points.flags[i]};
+           points.strength[i],       std::sqrt(points.s2[i]),  shift, ridgeSigma, points.brightening[i],
+           points.flags[i]};
       clipped += points.flags[i] & kSaturated;
     }
     if (rejection != Rejection::None) continue;
@@ -342,14 +350,30 @@ void StripeExtractor::Impl::write(StripeResult& result) {
   result.overloaded = scan.overloaded();
 }
 
+// The ridges of one row of blocks while the pixels of the next are on their way. A frame of more blocks than the budget
+// begins anew with the brightest.
+void StripeExtractor::Impl::findRidges(const ImageView& image) {
+  ridges.begin(image, filter);
+  for (int row = 0; row < scan.rows(); ++row) {
+    const std::span<const BlockRun> runs = scan.settle(row);
+    if (!scan.overloaded()) ridges.find(runs);
+  }
+  if (scan.overloaded()) {
+    scan.cap();
+    ridges.begin(image, filter);
+    ridges.find(scan.runs());
+  }
+  ridges.finish(scan.runs());
+}
+
 void StripeExtractor::Impl::extract(const ImageView& image, StripeResult& result) {
   if (image.empty()) {
     result = {};
     return;
   }
-  scan.scan(image, scanSettings);
+  scan.begin(image, scanSettings);
   setThresholds();
-  ridges.find(image, scan, filter);
+  findRidges(image);
   linker.link(ridges, linking);
   lineEnds.retrace(image, filter, ridges, linker);
   gapLinker.link(lineEnds.points(), lineEnds.pieces(), gaps);
