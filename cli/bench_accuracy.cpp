@@ -76,7 +76,9 @@ BoundOfDimensions::BoundOfDimensions(simulator::RenderedLines lines, RigCalibrat
       calibration_(std::move(calibration)),
       noise_(noise),
       temperatureC_(temperatureC),
-      recipe_(recipe) {}
+      recipe_(recipe) {
+  recipe_.measurement.trimMm = 0;
+}
 
 Expected<BoundOfDimensions> BoundOfDimensions::create(const VirtualRigSettings& settings, const Recipe& recipe) {
   auto lines = simulator::RenderedLines::create(settings);

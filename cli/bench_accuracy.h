@@ -17,9 +17,10 @@ namespace vignole::cli {
 /// Standard uncertainty, mm, that the best lines leave in each dimension; empty where one cannot be measured.
 using DimensionBound = PerDimension<std::optional<double>>;
 
-/// Limits of one profile: the exact centres of the visible lines with the uncertainty of `bound` and errors independent
-/// of each other, through the measurement of the recipe. So it is the limit of these fits on the best points; the one
-/// of HF is the error of the extreme that the same definition takes. No uncertainty of the temperature.
+/// Limits of one profile: the exact centres of the visible lines, with the uncertainty that the light and the noise
+/// leave and errors independent of each other, through the measurement of the recipe without its trimming. So it is the
+/// limit of these definitions and fits on the best points of the whole visible line; that of HF is the error of the
+/// extreme that the definition takes. The temperature is known.
 class BoundOfDimensions {
  public:
   [[nodiscard]] static Expected<BoundOfDimensions> create(const VirtualRigSettings& settings, const Recipe& recipe);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kWhite = 255;
 constexpr double kReachSigmas = 5;
+constexpr double kNothingKnown = 1e12;  // DN^2
 
 /// A Gaussian through the pixels about a place: the logarithm of its light is a straight line over the squared distance
 /// from the centre, which is known.
@@ -84,7 +85,7 @@ double informationPerPx(const LineLight& light, const PictureNoise& noise) {
         if (lag < correlation.size())
           covariance(i, j) = noise.speckle * noise.speckle * alongLine * correlation[lag] * mean[a] * mean[b];
         if (i == j) covariance(i, j) += noise.groundDn2 + noise.shotPerDn * mean[a];
-        if (i == j && mean[a] >= noise.clipDn) covariance(i, j) = 1e12;
+        if (i == j && mean[a] >= noise.clipDn) covariance(i, j) = kNothingKnown;
       }
     const Eigen::Map<const Eigen::VectorXd> j(slope.data(), n);
     information += j.dot(covariance.selfadjointView<Eigen::Lower>().llt().solve(j)) / kPhases;
