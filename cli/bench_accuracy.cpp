@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/inspection/inspection.h"
 #include "engine/profile/translate.h"
