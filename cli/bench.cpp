@@ -1,4 +1,4 @@
-// vignole-cli bench: times of the stages and the rate of the pipeline.
+// vignole-cli bench: times of the stages, rate of the pipeline, accuracy beside its physical limit.
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -10,6 +10,7 @@
 #include <sched.h>
 #include <set>
 
+#include "cli/bench_accuracy.h"
 #include "cli/bench_material.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -24,6 +25,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::vector<std::string> what;
   std::size_t frames = 224;
+  AccuracySettings accuracy;
   int threads = 0;
   std::string json;
   bool quiet = false;
@@ -81,10 +83,39 @@ void printTable(const Json& document) {
   std::printf("%s\n%-24s %12s %12s %12s %8s  %s\n", document["machine"].get<std::string>().c_str(), "benchmark",
               "median", "min", "p99", "n", "unit");
   for (const Json& r : document["results"]) {
-    if (r["n"] == 0) continue;
+    if (r["n"] == 0 || !r.contains("median")) continue;
     std::printf("%-24s %12.4g %12.4g %12.4g %8zu  %s\n", r["name"].get<std::string>().c_str(),
                 r["median"].get<double>(), r["min"].get<double>(), r["p99"].get<double>(), r["n"].get<std::size_t>(),
                 r["unit"].get<std::string>().c_str());
+  }
+}
+
+void addJson(const AccuracyRun& run, Json& results) {
+  for (const Dimension d : kDimensions) {
+    const DimensionAccuracy& a = run.measured.of(d);
+    const auto add = [&](const char* what, const char* unit, const std::optional<double>& value) {
+      results.push_back({{"name", run.name + "." + std::string(name(d)) + "." + what},
+                         {"unit", unit},
+                         {"value", value ? Json(*value) : Json(nullptr)},
+                         {"n", a.count()}});
+    };
+    const bool any = a.count() > 0;
+    add("bias", "mm", any ? std::optional(a.biasMm()) : std::nullopt);
+    add("rms", "mm", any ? std::optional(a.rmsMm()) : std::nullopt);
+    add("bound", "mm", run.boundMm[index(d)]);
+    add("error_over_u", "1", a.meanSquareErrorOverU());  // mean square
+  }
+}
+
+void printTable(const AccuracyRun& run) {
+  std::printf("%s: %llu profiles, %llu registered\n%-8s %10s %10s %10s %10s %12s\n", run.name.c_str(),
+              static_cast<unsigned long long>(run.profiles), static_cast<unsigned long long>(run.registered), "mm",
+              "bias", "RMS error", "bound", "RMS/bound", "(error/u)^2");
+  for (const Dimension d : kDimensions) {
+    const DimensionAccuracy& a = run.measured.of(d);
+    const double bound = run.boundMm[index(d)].value_or(NAN);
+    std::printf("%-8s %10.4f %10.4f %10.5f %10.2f %12.2f\n", std::string(name(d)).c_str(), a.biasMm(), a.rmsMm(), bound,
+                a.rmsMm() / bound, a.meanSquareErrorOverU().value_or(NAN));
   }
 }
 
@@ -94,7 +125,15 @@ int bench(const Options& o) {
   const std::set<std::string> chosen(o.what.begin(), o.what.end());
   const auto wanted = [&chosen](const char* name) { return chosen.empty() || chosen.contains(name); };
   Json document = {{"machine", machine(*cores)}, {"results", Json::array()}};
-  {
+  std::vector<AccuracyRun> accuracy;
+  if (chosen.contains("accuracy")) {
+    Progress progress(o.quiet, "accuracy");
+    auto runs = benchAccuracy(o.accuracy, progress);
+    if (!runs) return fail(runs.error());
+    accuracy = *std::move(runs);
+    for (const AccuracyRun& run : accuracy) addJson(run, document["results"]);
+  }
+  if (chosen.size() != 1 || accuracy.empty()) {
     Progress progress(o.quiet, "benchmark");
     progress.update(0, "rendering frames");
     auto material = renderMaterial(o.frames);
@@ -112,25 +151,42 @@ int bench(const Options& o) {
   }
   if (!o.json.empty())
     if (const auto written = writeJson(o.json, document); !written) return fail(written.error());
-  if (o.json != "-") printTable(document);
+  if (o.json == "-") return kDone;
+  for (const AccuracyRun& run : accuracy) printTable(run);
+  if (chosen.size() != 1 || accuracy.empty()) printTable(document);
   return kDone;
 }
 
 }  // namespace
 
 void addBench(CLI::App& app, int& exitCode) {
-  CLI::App* command = app.add_subcommand("bench", "Times of the stages and the rate of the pipeline");
+  CLI::App* command = app.add_subcommand("bench", "Times of the stages, rate of the pipeline, accuracy");
   const auto o = std::make_shared<Options>();
   command->footer(
       "Frames of the virtual rig with default effects, in memory, independent of each other; enough of them that none\n"
       "is in a cache when its turn comes. Times are wall-clock on one thread; pipeline.cpu.* is CPU time a profile.\n"
-      "Example: vignole-cli bench extract pipeline --threads 2 --json bench.json");
+      "accuracy: errors of single profiles of the virtual rig through the whole pipeline, beside the limit that "
+      "follows\n"
+      "from the light and the noise that were rendered; every effect on, then without speckle.\n"
+      "Example: vignole-cli bench extract pipeline --threads 2 --json bench.json\n"
+      "         vignole-cli bench accuracy --profiles 2000 --rig-seed 3");
   command
-      ->add_option("what", o->what, "extract, translate, assemble, register, measure, pipeline, simulate; default: all")
-      ->check(CLI::IsMember({"extract", "translate", "assemble", "register", "measure", "pipeline", "simulate"}));
+      ->add_option("what", o->what,
+                   "extract, translate, assemble, register, measure, pipeline, simulate (default: all these), accuracy")
+      ->check(CLI::IsMember(
+          {"extract", "translate", "assemble", "register", "measure", "pipeline", "simulate", "accuracy"}));
   command->add_option("--frames", o->frames, "frames in memory (1.4 MB each)")
       ->check(CLI::Range(4, 100000))
       ->capture_default_str();
+  command->add_option("--profiles", o->accuracy.profiles, "accuracy: profiles a run")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  command->add_option("--seed", o->accuracy.seed, "accuracy: of the virtual rail and its noise")->capture_default_str();
+  command->add_option("--rig-seed", o->accuracy.rigSeed, "accuracy: draws the virtual rig; default: the seed");
+  command->add_option("--recipe", o->accuracy.recipe, "accuracy: recipe, as of inspect")->capture_default_str();
+  command->add_option("--effect", o->accuracy.effects, "accuracy: NAME=on|off|VALUE of the rig (repeatable)");
+  command->add_option("--line-px", o->accuracy.linePx, "accuracy: bound for lines known to that much in every px")
+      ->check(CLI::Range(1e-6, 1e3));
   command->add_option("--threads", o->threads, "cores to use; default: all")->check(CLI::Range(1, 1024));
   command->add_option("--json", o->json, "file, or - for stdout");
   command->add_flag("--quiet", o->quiet, "no progress on the terminal");

@@ -17,9 +17,8 @@ constexpr double kFNumber = 8;                         // the lens' opening
 constexpr double kPixelSigmaPx = 0.28867513459481287;  // of a square pixel: 1/sqrt(12)
 constexpr double kPower = 4200;                        // DN px/mm, so that a bare face seen frontally peaks near 200 DN
 constexpr double kLaserReferenceMm = 480;
-constexpr double kStepPx = 0.7;              // between samples of light; a ripple below 0.1 % at the sharpest
-constexpr double kKernelReachMm = 2.5;       // a kernel serves this far along the outline
-constexpr double kShotPerDn = 60.0 / 10000;  // 10,000 electrons at 60 DN: variance in DN per DN of signal
+constexpr double kStepPx = 0.7;         // between samples of light; a ripple below 0.1 % at the sharpest
+constexpr double kKernelReachMm = 2.5;  // a kernel serves this far along the outline
 constexpr double kGhostSheetMm = 0.8, kGhostStepPx = 1.6;
 constexpr double kGhostSpread = 2;  // a ghost is so much broader, so its energy for the same peak is higher
 

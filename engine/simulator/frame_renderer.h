@@ -18,6 +18,9 @@
 
 namespace vignole::simulator {
 
+/// 10,000 electrons at 60 DN: variance in DN^2 per DN of signal.
+inline constexpr double kShotPerDn = 60.0 / 10000;
+
 /// The rail at one trigger.
 struct Scene {
   std::uint64_t trigger = 0;

@@ -97,9 +97,8 @@ float Surface::reflectance(double aroundMm, double alongMm, double scaleShare) c
 }
 
 std::vector<float> speckleField(std::uint64_t seed, double contrast) {
-  constexpr double kGrainSigma = 0.6;  // autocorrelation exp(-d^2 / (4 * 0.6^2)): half its height at d = 1 px
   std::vector<float> field = whiteNoise(Draws(seed, Stream::Speckle), std::size_t{kSpeckleSize} * kSpeckleSize);
-  smooth(field, kSpeckleSize, kSpeckleSize, kGrainSigma, kGrainSigma);
+  smooth(field, kSpeckleSize, kSpeckleSize, kSpeckleGrainSigma, kSpeckleGrainSigma);
   // Gamma of shape k = 1/contrast^2 and mean 1 from a normal deviate (Wilson and Hilferty 1931).
   const auto v = static_cast<float>(contrast * contrast / 9);
   std::vector<float> padded(std::size_t{kSpeckleSize} * kSpeckleStride);
@@ -110,6 +109,16 @@ std::vector<float> speckleField(std::uint64_t seed, double contrast) {
       padded[static_cast<std::size_t>(y * kSpeckleStride + x)] = contrast > 0 ? root * root * root : 1.0F;
     }
   return padded;
+}
+
+std::vector<double> speckleCorrelation() {
+  const std::vector<double> kernel = gaussian(kSpeckleGrainSigma);
+  std::vector<double> correlation(kernel.size(), 0.0);
+  for (std::size_t lag = 0; lag < kernel.size(); ++lag)
+    for (std::size_t i = 0; i + lag < kernel.size(); ++i) correlation[lag] += kernel[i] * kernel[i + lag];
+  const double variance = correlation.front();
+  for (double& c : correlation) c /= variance;
+  return correlation;
 }
 
 }  // namespace vignole::simulator

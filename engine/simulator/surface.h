@@ -31,6 +31,7 @@ class Surface {
   SkinTexture skin_;  ///< patches, shades and gloss are read from it at places and scales that have nothing in common
 };
 
+inline constexpr double kSpeckleGrainSigma = 0.6;  ///< px: white noise smoothed by that much
 inline constexpr int kSpeckleSize = 512;
 inline constexpr int kSpeckleStride = kSpeckleSize + 16;
 
@@ -38,5 +39,7 @@ inline constexpr int kSpeckleStride = kSpeckleSize + 16;
 /// the autocorrelation at half its height). kSpeckleSize rows of kSpeckleStride, periodic, the first 16 columns
 /// repeated.
 [[nodiscard]] std::vector<float> speckleField(std::uint64_t seed, double contrast);
+/// Correlation of the field along a row or a column at 0, 1, 2 ... px, and 0 beyond; over both axes it is the product.
+[[nodiscard]] std::vector<double> speckleCorrelation();
 
 }  // namespace vignole::simulator
