@@ -15,7 +15,7 @@ inline constexpr int kBlock = 16;   ///< px: the unit in which light is develope
 inline constexpr int kMargin = 64;  ///< px of canvas around the picture, so that kernels never leave it
 
 /// A 2D Gaussian by its inverse covariance: exp(-(a dx^2 + 2 b dx dy + c dy^2) / 2). Columns where it is below 1e-37 in
-/// the middle row stay dark: they matter where an ellipse seven times as long as wide lies at 45 degrees.
+/// the middle row stay dark: they matter where an ellipse six times as long as wide lies at 45 degrees.
 struct SplatKernel {
   float a = 1, b = 0, c = 1;
   float bend = 0.36787944F;  ///< exp(-c)
