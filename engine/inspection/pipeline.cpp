@@ -368,6 +368,7 @@ template <typename Queue>
 StageStatistics statisticsOf(const std::string& name, const StageMeter& meter, const Queue& queueInFront) {
   StageStatistics stage = statisticsOf(name, meter);
   stage.queueCapacity = queueInFront.capacity();
+  stage.queueDepth = queueInFront.depth();
   stage.queueHighWater = queueInFront.highWater();
   stage.overflows = queueInFront.overflows();
   return stage;

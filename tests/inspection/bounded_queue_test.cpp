@@ -12,8 +12,10 @@ namespace {
 TEST(BoundedQueue, KeepsOrderAndCountsItsHighWater) {
   BoundedQueue<int> queue(4);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(queue.push(int{i}));
+  EXPECT_EQ(queue.depth(), 3U);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(queue.pop(), i);
   EXPECT_TRUE(queue.push(7));
+  EXPECT_EQ(queue.depth(), 1U);
   EXPECT_EQ(queue.highWater(), 3U);
   EXPECT_EQ(queue.capacity(), 4U);
   EXPECT_EQ(queue.overflows(), 0U);
@@ -38,6 +40,22 @@ TEST(BoundedQueue, TokensTakeTheirTurnButNoPlace) {
   EXPECT_EQ(queue.pop(), 2);
   EXPECT_EQ(queue.pop(), 3);
   EXPECT_EQ(queue.highWater(), 1U);
+}
+
+TEST(BoundedQueue, WhoFoundItFullGoesOnWhenHalfIsEmpty) {
+  BoundedQueue<int> queue(4);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(queue.push(int{i}));
+  std::atomic<bool> pushed{false};
+  std::jthread producer([&] {
+    EXPECT_TRUE(queue.push(4));
+    pushed = true;
+  });
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_EQ(queue.pop(), 1);
+  producer.join();  // without another pop
+  EXPECT_TRUE(pushed);
+  for (int i = 2; i < 5; ++i) EXPECT_EQ(queue.pop(), i);
+  EXPECT_EQ(queue.highWater(), 4U);
 }
 
 TEST(BoundedQueue, AStopReleasesWhoWaitsForAPlaceOrAnItem) {
