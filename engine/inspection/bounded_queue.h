@@ -23,12 +23,16 @@ class BoundedQueue {
     std::size_t lane;
     T item;
   };
+  /// When the consumer is woken: by this item, or by a later one that the producer promises to bring without waiting
+  /// for anybody (a quarter of a lane is never left lying).
+  enum class Wake { Now, Later };
 
   /// Capacity of each lane, at least 1.
   explicit BoundedQueue(std::size_t capacity) : capacity_(std::max<std::size_t>(capacity, 1)) {}
 
   /// Waits for a place. False if a stop was requested first; the item is then untouched.
-  bool push(T&& item, const std::stop_token& stop = {}, std::size_t lane = 0) {
+  bool push(T&& item, const std::stop_token& stop = {}, std::size_t lane = 0, Wake wake = Wake::Now) {
+    bool wakes = false;
     {
       std::unique_lock lock(mutex_);
       Lane& into = lanes_[lane];
@@ -37,13 +41,15 @@ class BoundedQueue {
       --into.waiting;
       if (!free) return false;
       insert(std::move(item), lane, true);
+      wakes = wake == Wake::Now || 4 * into.places >= capacity_;
     }
-    items_.notify_one();
+    if (wakes) items_.notify_one();
     return true;
   }
 
   /// Never waits. False if the lane is full: counted as an overflow, the item is untouched.
-  bool tryPush(T&& item, std::size_t lane = 0) {
+  bool tryPush(T&& item, std::size_t lane = 0, Wake wake = Wake::Now) {
+    bool wakes = false;
     {
       const std::scoped_lock lock(mutex_);
       if (lanes_[lane].places >= capacity_) {
@@ -51,8 +57,9 @@ class BoundedQueue {
         return false;
       }
       insert(std::move(item), lane, true);
+      wakes = wake == Wake::Now || 4 * lanes_[lane].places >= capacity_;
     }
-    items_.notify_one();
+    if (wakes) items_.notify_one();
     return true;
   }
 
@@ -96,6 +103,10 @@ class BoundedQueue {
   }
 
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  [[nodiscard]] bool empty() const {
+    const std::scoped_lock lock(mutex_);
+    return std::all_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.entries.empty(); });
+  }
   /// Places that the fullest lane has taken.
   [[nodiscard]] std::size_t depth() const {
     const std::scoped_lock lock(mutex_);

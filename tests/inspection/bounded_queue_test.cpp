@@ -58,6 +58,20 @@ TEST(BoundedQueue, WhoFoundItFullGoesOnWhenHalfIsEmpty) {
   EXPECT_EQ(queue.highWater(), 4U);
 }
 
+TEST(BoundedQueue, WhatNeedNotWakeTheConsumerComesWithTheNextOrAtAQuarter) {
+  using Queue = BoundedQueue<int>;
+  Queue queue(8);
+  for (const auto last : {Queue::Wake::Now, Queue::Wake::Later}) {
+    std::jthread consumer([&] {
+      EXPECT_EQ(queue.pop(), 1);
+      EXPECT_EQ(queue.pop(), 2);
+    });
+    EXPECT_TRUE(queue.push(1, {}, 0, Queue::Wake::Later));
+    EXPECT_TRUE(queue.tryPush(2, 0, last));
+  }  // joins without another push
+  EXPECT_TRUE(queue.empty());
+}
+
 TEST(BoundedQueue, AStopReleasesWhoWaitsForAPlaceOrAnItem) {
   BoundedQueue<int> full(1), empty(1);
   EXPECT_TRUE(full.push(1));
