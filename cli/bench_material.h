@@ -1,6 +1,6 @@
 #pragma once
-// What the benchmarks work on: frames of the virtual rig in memory, independent of each other and more of them than any
-// cache holds, and what the stages make of them.
+// What the benchmarks work on: frames of the virtual rig in memory, independent of each other, and what the stages make
+// of them.
 
 #include <memory>
 #include <string>
