@@ -7,13 +7,13 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sched.h>
 #include <set>
 
 #include "cli/bench_accuracy.h"
 #include "cli/bench_material.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/core_limit.h"
 #include "engine/files/atomic_file.h"
 
 namespace vignole::cli {
@@ -30,27 +30,6 @@ struct Options {
   std::string json;
   bool quiet = false;
 };
-
-/// All threads from here on share the first `cores` of the cores that this program may use.
-Expected<int> limitCores(int cores) {
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return worldError("--threads", "the system names no cores");
-  const int available = CPU_COUNT(&allowed);
-  if (cores == 0) return available;
-  if (cores > available)
-    return inputError("--threads",
-                      std::to_string(cores) + " cores wanted, " + std::to_string(available) + " available");
-  cpu_set_t chosen;
-  CPU_ZERO(&chosen);
-  for (std::size_t cpu = 0, taken = 0; taken < static_cast<std::size_t>(cores); ++cpu)
-    if (CPU_ISSET(cpu, &allowed)) {
-      CPU_SET(cpu, &chosen);
-      ++taken;
-    }
-  if (sched_setaffinity(0, sizeof chosen, &chosen) != 0) return worldError("--threads", "the system refuses that");
-  return cores;
-}
 
 std::string machine(int cores) {
   std::string model = "unknown processor";
@@ -120,11 +99,11 @@ void printTable(const AccuracyRun& run) {
 }
 
 int bench(const Options& o) {
-  const auto cores = limitCores(o.threads);
-  if (!cores) return fail(cores.error());
+  const auto limit = CoreLimit::to(o.threads);
+  if (!limit) return fail(limit.error());
   const std::set<std::string> chosen(o.what.begin(), o.what.end());
   const auto wanted = [&chosen](const char* name) { return chosen.empty() || chosen.contains(name); };
-  Json document = {{"machine", machine(*cores)}, {"results", Json::array()}};
+  Json document = {{"machine", machine(limit->cores())}, {"results", Json::array()}};
   std::vector<AccuracyRun> accuracy;
   if (chosen.contains("accuracy")) {
     Progress progress(o.quiet, "accuracy");
@@ -146,7 +125,7 @@ int bench(const Options& o) {
     if (wanted("assemble")) benchAssemble(*material, results);
     if (wanted("register")) benchRegister(*material, results);
     if (wanted("measure")) benchMeasure(*material, results);
-    if (wanted("pipeline")) benchPipeline(*material, results);
+    if (wanted("pipeline")) benchPipeline(*material, limit->cores(), results);
     for (const BenchSeries& series : results) document["results"].push_back(toJson(series));
   }
   if (!o.json.empty())
@@ -163,11 +142,16 @@ void addBench(CLI::App& app, int& exitCode) {
   CLI::App* command = app.add_subcommand("bench", "Times of the stages, rate of the pipeline, accuracy");
   const auto o = std::make_shared<Options>();
   command->footer(
-      "Frames of the virtual rig with default effects, in memory, independent of each other; enough of them that none\n"
-      "is in a cache when its turn comes. Times are wall-clock on one thread; pipeline.cpu.* is CPU time a profile.\n"
-      "accuracy: errors of single profiles of the virtual rig through the whole pipeline, beside the limit that "
-      "follows\n"
-      "from the light and the noise that were rendered; every effect on, then without speckle.\n"
+      "Frames of the virtual rig with default effects, in memory, independent of each other. Times are wall-clock on\n"
+      "one thread; extract.cold and .read are of frames that are in no cache.\n"
+      "pipeline.cpu.* is CPU time of a stage's threads a profile, cpu_total that of the process, share.other the part\n"
+      "of it that is not extraction; efficiency is the rate over cores / cpu_total; limit.* is what a stage's busiest\n"
+      "thread alone would do; model.*cores is the smaller of cores (14 threads at most) / cpu_total and the lowest\n"
+      "limit, if memory gives each core what it gives here and nothing else runs. At 66 Hz: latency from the last\n"
+      "camera's frame to the dimensions; queue.* how full each stage's fullest queue is when a profile is done,\n"
+      "highwater the most that each of them ever held, growth of the second half over the first, one a stage.\n"
+      "accuracy: errors of single profiles of the virtual rig through the whole pipeline, beside the limit that\n"
+      "follows from the light and the noise that were rendered; every effect on, then without speckle.\n"
       "Example: vignole-cli bench extract pipeline --threads 2 --json bench.json\n"
       "         vignole-cli bench accuracy --profiles 2000 --rig-seed 3");
   command

@@ -1,6 +1,6 @@
 #pragma once
-// What the benchmarks work on: frames of the virtual rig in memory, independent of each other and more of them than any
-// cache holds, and what the stages make of them.
+// What the benchmarks work on: frames of the virtual rig in memory, independent of each other, and what the stages make
+// of them.
 
 #include <memory>
 #include <string>
@@ -43,6 +43,7 @@ void benchTranslate(const BenchMaterial& material, std::vector<BenchSeries>& res
 void benchAssemble(const BenchMaterial& material, std::vector<BenchSeries>& results);
 void benchRegister(const BenchMaterial& material, std::vector<BenchSeries>& results);
 void benchMeasure(const BenchMaterial& material, std::vector<BenchSeries>& results);
-void benchPipeline(const BenchMaterial& material, std::vector<BenchSeries>& results);
+/// `cores` that the program may use.
+void benchPipeline(const BenchMaterial& material, int cores, std::vector<BenchSeries>& results);
 
 }  // namespace vignole::cli

@@ -8,23 +8,10 @@
 #include "engine/inspection/stage_meter.h"
 #include "engine/profile/assembler.h"
 #include "engine/profile/translate.h"
-#include "engine/stripe/stripe_extractor.h"
 
 namespace vignole::cli {
 
 namespace {
-
-/// Reads every byte once, as a sum: what a pass over the picture costs at least.
-std::uint64_t readOnce(const ImageView& image) {
-  std::uint64_t sum = 0;
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* row = image.row(y);
-    std::uint32_t ofRow = 0;
-    for (int x = 0; x < image.width; ++x) ofRow += row[x];
-    sum += ofRow;
-  }
-  return sum;
-}
 
 /// Points of a profile, thinned evenly to at most 2,000 (the size that the goals are stated for), moved by a pose.
 std::vector<ProfilePoint> movedPoints(const Profile& profile, const Transform2& move, const Point2& about) {
@@ -46,37 +33,6 @@ std::vector<ProfilePoint> movedPoints(const Profile& profile, const Transform2& 
 }
 
 }  // namespace
-
-void benchExtract(const BenchMaterial& material, std::vector<BenchSeries>& results) {
-  BenchSeries cold{"extract.cold", "ms", {}}, hot{"extract.hot", "ms", {}}, read{"extract.read", "ms", {}};
-  StripeExtractor extractor(material.recipe.stripe);
-  StripeResult stripe;
-  // Once before the clock runs: the extractor's own buffers come into being.
-  for (const ImageView& image : material.sets.front()) extractor.extract(image, stripe);
-  for (const FrameSet& set : material.sets)
-    for (const ImageView& image : set) {
-      const StopWatch watch;
-      extractor.extract(image, stripe);
-      cold.values.push_back(watch.ms());
-    }
-  std::uint64_t sum = 0;
-  for (const FrameSet& set : material.sets)
-    for (const ImageView& image : set) {
-      const StopWatch watch;
-      sum += readOnce(image);
-      read.values.push_back(watch.ms());
-    }
-  // Keeps the reading from being optimised away.
-  if (sum == 0) read.values.clear();
-  for (const FrameSet& set : material.sets)
-    for (const ImageView& image : set) {
-      extractor.extract(image, stripe);
-      const StopWatch watch;
-      extractor.extract(image, stripe);
-      hot.values.push_back(watch.ms());
-    }
-  results.insert(results.end(), {std::move(cold), std::move(hot), std::move(read)});
-}
 
 void benchTranslate(const BenchMaterial& material, std::vector<BenchSeries>& results) {
   BenchSeries series{"translate", "ms", {}};

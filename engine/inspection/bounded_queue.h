@@ -23,23 +23,33 @@ class BoundedQueue {
     std::size_t lane;
     T item;
   };
+  /// When the consumer is woken: by this item, or by a later one that the producer promises to bring without waiting
+  /// for anybody (a quarter of a lane is never left lying).
+  enum class Wake { Now, Later };
 
   /// Capacity of each lane, at least 1.
   explicit BoundedQueue(std::size_t capacity) : capacity_(std::max<std::size_t>(capacity, 1)) {}
 
   /// Waits for a place. False if a stop was requested first; the item is then untouched.
-  bool push(T&& item, const std::stop_token& stop = {}, std::size_t lane = 0) {
+  bool push(T&& item, const std::stop_token& stop = {}, std::size_t lane = 0, Wake wake = Wake::Now) {
+    bool wakes = false;
     {
       std::unique_lock lock(mutex_);
-      if (!places_.wait(lock, stop, [&] { return lanes_[lane].places < capacity_; })) return false;
+      Lane& into = lanes_[lane];
+      ++into.waiting;
+      const bool free = places_.wait(lock, stop, [&] { return into.places < capacity_; });
+      --into.waiting;
+      if (!free) return false;
       insert(std::move(item), lane, true);
+      wakes = wake == Wake::Now || 4 * into.places >= capacity_;
     }
-    items_.notify_one();
+    if (wakes) items_.notify_one();
     return true;
   }
 
   /// Never waits. False if the lane is full: counted as an overflow, the item is untouched.
-  bool tryPush(T&& item, std::size_t lane = 0) {
+  bool tryPush(T&& item, std::size_t lane = 0, Wake wake = Wake::Now) {
+    bool wakes = false;
     {
       const std::scoped_lock lock(mutex_);
       if (lanes_[lane].places >= capacity_) {
@@ -47,8 +57,9 @@ class BoundedQueue {
         return false;
       }
       insert(std::move(item), lane, true);
+      wakes = wake == Wake::Now || 4 * lanes_[lane].places >= capacity_;
     }
-    items_.notify_one();
+    if (wakes) items_.notify_one();
     return true;
   }
 
@@ -72,6 +83,7 @@ class BoundedQueue {
   template <typename Wants>
   std::optional<Taken> pop(const std::stop_token& stop, Wants wants) {
     std::optional<Taken> taken;
+    bool wakes = false;
     {
       std::unique_lock lock(mutex_);
       std::size_t lane = Lanes;
@@ -81,13 +93,27 @@ class BoundedQueue {
       if (from.entries.front().takesPlace) --from.places;
       from.entries.pop_front();
       turn_ = (lane + 1) % Lanes;
+      // Who found the lane full is woken for half a lane at once: a thread woken for every place costs the machine two
+      // changes of thread an item.
+      wakes = from.waiting > 0 && from.places <= capacity_ / 2;
     }
     // All waiting producers, because the place is one particular lane's.
-    places_.notify_all();
+    if (wakes) places_.notify_all();
     return taken;
   }
 
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  [[nodiscard]] bool empty() const {
+    const std::scoped_lock lock(mutex_);
+    return std::all_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.entries.empty(); });
+  }
+  /// Places that the fullest lane has taken.
+  [[nodiscard]] std::size_t depth() const {
+    const std::scoped_lock lock(mutex_);
+    return std::max_element(lanes_.begin(), lanes_.end(),
+                            [](const Lane& a, const Lane& b) { return a.places < b.places; })
+        ->places;
+  }
   /// Most places that any lane ever had taken.
   [[nodiscard]] std::size_t highWater() const {
     const std::scoped_lock lock(mutex_);
@@ -106,6 +132,7 @@ class BoundedQueue {
   struct Lane {
     std::deque<Entry> entries;
     std::size_t places = 0;
+    std::size_t waiting = 0;  ///< producers
   };
 
   void insert(T&& item, std::size_t lane, bool takesPlace) {

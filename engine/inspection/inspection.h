@@ -30,6 +30,7 @@ struct StageStatistics {
   std::size_t queueHighWater = 0;
   std::uint64_t overflows = 0;  ///< dropped because the queue was full (live only)
   double cpuMs = 0;             ///< CPU time of the stage's thread so far
+  std::size_t queueDepth = 0;   ///< in the queue now
 };
 
 /// Every trigger is accounted for: seen = measured + incomplete + lost.

@@ -113,9 +113,10 @@ struct Pipeline::Impl {
   void profile();
   void measure();
 
-  /// Live: a full queue drops the product and leaves a token in its place. Otherwise waits.
+  /// Live: a full queue drops the product and leaves a token in its place. Otherwise waits. `more`: the caller has its
+  /// next message already, so the next stage need not be woken for this one alone.
   template <typename Queue, typename Item>
-  void send(Queue& queue, Item&& message, int camera, std::size_t lane = 0);
+  void send(Queue& queue, Item&& message, int camera, std::size_t lane = 0, bool more = false);
   template <typename To>
   void sendAssembly(To& queue, AssemblyPtr assembly);
   void addToAssembler(ProfileAssembler& assembler, int camera, ContourMessage& message);
@@ -123,16 +124,17 @@ struct Pipeline::Impl {
 };
 
 template <typename Queue, typename Item>
-void Pipeline::Impl::send(Queue& queue, Item&& message, int camera, std::size_t lane) {
+void Pipeline::Impl::send(Queue& queue, Item&& message, int camera, std::size_t lane, bool more) {
+  const auto wake = more ? Queue::Wake::Later : Queue::Wake::Now;
   if (!live) {
-    queue.push(std::forward<Item>(message), {}, lane);
+    queue.push(std::forward<Item>(message), {}, lane, wake);
     return;
   }
   if (message.index() != 0) {
     queue.pushToken(std::forward<Item>(message), lane);
     return;
   }
-  if (queue.tryPush(std::forward<Item>(message), lane)) return;
+  if (queue.tryPush(std::forward<Item>(message), lane, wake)) return;
   // tryPush left the message untouched.
   FrameLost lost{camera, triggerOf(std::get<0>(message)), kOverflow};  // NOLINT(bugprone-use-after-move)
   message = std::move(lost);
@@ -176,7 +178,7 @@ void Pipeline::Impl::extract(int camera) {
     } else {
       out = std::visit(PassOn<StripeMessage>{}, message);
     }
-    send(*toTranslate[c], std::move(out), camera);
+    send(*toTranslate[c], std::move(out), camera, 0, !toExtract[c]->empty());
   }
 }
 
@@ -202,7 +204,7 @@ void Pipeline::Impl::translate(int camera) {
     } else {
       out = std::visit(PassOn<ContourMessage>{}, message);
     }
-    send(toProfile, std::move(out), camera, c);
+    send(toProfile, std::move(out), camera, c, !toTranslate[c]->empty());
   }
 }
 
@@ -368,6 +370,7 @@ template <typename Queue>
 StageStatistics statisticsOf(const std::string& name, const StageMeter& meter, const Queue& queueInFront) {
   StageStatistics stage = statisticsOf(name, meter);
   stage.queueCapacity = queueInFront.capacity();
+  stage.queueDepth = queueInFront.depth();
   stage.queueHighWater = queueInFront.highWater();
   stage.overflows = queueInFront.overflows();
   return stage;

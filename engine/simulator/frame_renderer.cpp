@@ -17,7 +17,8 @@ constexpr double kFNumber = 8;                         // the lens' opening
 constexpr double kPixelSigmaPx = 0.28867513459481287;  // of a square pixel: 1/sqrt(12)
 constexpr double kPower = 4200;                        // DN px/mm, so that a bare face seen frontally peaks near 200 DN
 constexpr double kLaserReferenceMm = 480;
-constexpr double kStepPx = 0.7;         // between samples of light; a ripple below 0.1 % at the sharpest
+constexpr double kStepPx = 0.7;  // between samples of light; a ripple below 0.1 % at the sharpest
+constexpr int kMostReachPx = kMargin - 8;
 constexpr double kKernelReachMm = 2.5;  // a kernel serves this far along the outline
 constexpr double kGhostSheetMm = 0.8, kGhostStepPx = 1.6;
 constexpr double kGhostSpread = 2;  // a ghost is so much broader, so its energy for the same peak is higher
@@ -204,9 +205,9 @@ SplatKernel FrameRenderer::kernelAt(const View& view, const ExposedPose& pose, c
   kernel.b = static_cast<float>(-covariance(0, 1) / det);
   kernel.c = static_cast<float>(covariance(0, 0) / det);
   kernel.scale = static_cast<float>(1 / (2 * std::numbers::pi * std::sqrt(det)));
-  const double width = kernelReach(std::sqrt(covariance(0, 0)));
-  kernel.halfWidth = std::min(kMargin - 8, 8 * std::max(1, static_cast<int>(std::ceil((width - 0.5) / 8))));
-  kernel.halfHeight = std::min(kMargin - 8, static_cast<int>(std::ceil(kernelReach(std::sqrt(covariance(1, 1))))));
+  kernel.bend = std::exp(-kernel.c);
+  kernel.halfWidth = static_cast<float>(std::min<double>(kMostReachPx, kernelReach(std::sqrt(covariance(0, 0)))));
+  kernel.halfHeight = std::min(kMostReachPx, static_cast<int>(std::ceil(kernelReach(std::sqrt(covariance(1, 1))))));
   return kernel;
 }
 

@@ -20,50 +20,71 @@ namespace vignole::simulator::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 
-/// One column strip (as wide as a vector) of one Gaussian. Rows follow by recurrence: the ratio of neighbouring rows is
-/// itself a geometric series, so a row costs two products instead of an exponential.
-void splatStrip(const Splat& splat, const SplatKernel& k, float* HWY_RESTRICT middle, std::ptrdiff_t stride, int first,
-                float dy) {
+/// Numbers too small for a normal float count as 0 while this lives: the far ends of the kernels are full of them, and
+/// each costs more than all else of its row.
+class FlushToZero {
+ public:
+#if HWY_ARCH_X86
+  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }
+  ~FlushToZero() { _mm_setcsr(before_); }
+#else
+  FlushToZero() = default;
+  ~FlushToZero() = default;
+#endif
+  FlushToZero(const FlushToZero&) = delete;
+  FlushToZero& operator=(const FlushToZero&) = delete;
+
+ private:
+  [[maybe_unused]] unsigned before_ = 0;
+};
+
+/// One Gaussian, in strips as wide as a vector. Rows follow by recurrence, up and down from the middle: the ratio of
+/// neighbouring rows is itself a geometric series, so a row costs two products instead of an exponential.
+void addSplat(const Splat& splat, const SplatKernel& k, const Canvas::Area& area, std::ptrdiff_t stride) {
   const Floats d;
-  const auto dx = hn::Add(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(first) - splat.x));
-  const float half = 0.5F;
-  // Exponent at the middle row; written so that the two halves cannot overflow one another.
-  const auto exponent = hn::MulAdd(hn::Mul(hn::Set(d, -half * k.a), dx), dx,
-                                   hn::MulAdd(hn::Set(d, -k.b * dy), dx, hn::Set(d, -half * k.c * dy * dy)));
-  const auto start = hn::Mul(hn::Exp(d, exponent), hn::Set(d, splat.energy * k.scale));
-  const auto tilt = hn::Exp(d, hn::Mul(hn::Set(d, -k.b), dx));
-  const auto bend = hn::Set(d, std::exp(-k.c));
-  const auto write = [&](float* at, hn::Vec<Floats> v) { hn::StoreU(hn::Add(hn::LoadU(d, at), v), d, at); };
+  const auto lanes = static_cast<int>(hn::Lanes(d));
+  constexpr float kHalf = 0.5F;
+  constexpr float kMostLean = 80;  // far beside the kernel, where all is 0, the ratio must stay finite
+  const float dy = static_cast<float>(area.y) - splat.y;
+  const auto down = hn::Set(d, std::exp(-k.c * (kHalf + dy))), up = hn::Set(d, std::exp(-k.c * (kHalf - dy)));
+  const auto bend = hn::Set(d, k.bend);
+  for (int x = 0; x < area.columns; x += lanes) {
+    const auto dx = hn::Add(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(area.left + x) - splat.x));
+    // Exponent at the middle row; written so that the two halves cannot overflow one another.
+    const auto exponent = hn::MulAdd(hn::Mul(hn::Set(d, -kHalf * k.a), dx), dx,
+                                     hn::MulAdd(hn::Set(d, -k.b * dy), dx, hn::Set(d, -kHalf * k.c * dy * dy)));
+    const auto start = hn::Mul(hn::Exp(d, exponent), hn::Set(d, splat.energy * k.scale));
+    const auto lean = hn::Mul(hn::Set(d, -k.b), dx);
+    const auto tilt = hn::Exp(d, hn::Min(hn::Max(lean, hn::Set(d, -kMostLean)), hn::Set(d, kMostLean)));
+    const auto write = [d](float* at, hn::Vec<Floats> v) { hn::Store(hn::Add(hn::Load(d, at), v), d, at); };
 
-  write(middle + first, start);
-  auto value = start;
-  auto ratio = hn::Mul(tilt, hn::Set(d, std::exp(-k.c * (dy + half))));
-  float* at = middle + first;
-  for (int i = 0; i < k.halfHeight; ++i) {
-    value = hn::Mul(value, ratio);
-    ratio = hn::Mul(ratio, bend);
-    at += stride;
-    write(at, value);
-  }
-  value = start;
-  ratio = hn::Div(hn::Set(d, std::exp(k.c * (dy - half))), tilt);
-  at = middle + first;
-  for (int i = 0; i < k.halfHeight; ++i) {
-    value = hn::Mul(value, ratio);
-    ratio = hn::Mul(ratio, bend);
-    at -= stride;
-    write(at, value);
+    float* below = area.row + area.left + x;
+    float* above = below;
+    write(below, start);
+    auto valueBelow = start, valueAbove = start;
+    auto ratioBelow = hn::Mul(tilt, down), ratioAbove = hn::Div(up, tilt);
+    for (int i = 0; i < k.halfHeight; ++i) {
+      valueBelow = hn::Mul(valueBelow, ratioBelow);
+      valueAbove = hn::Mul(valueAbove, ratioAbove);
+      ratioBelow = hn::Mul(ratioBelow, bend);
+      ratioAbove = hn::Mul(ratioAbove, bend);
+      below += stride;
+      above -= stride;
+      write(below, valueBelow);
+      write(above, valueAbove);
+    }
   }
 }
 
-void addSplat(const Splat& splat, const SplatKernel& kernel, float* row, std::ptrdiff_t stride, int column, int y) {
-  const int lanes = static_cast<int>(hn::Lanes(Floats()));
-  const float dy = static_cast<float>(y) - splat.y;
-  for (int x = column - kernel.halfWidth; x < column + kernel.halfWidth; x += lanes)
-    splatStrip(splat, kernel, row, stride, x, dy);
+void addSplats(const std::vector<Splat>& splats, const std::vector<SplatKernel>& kernels, Canvas& canvas) {
+  const FlushToZero flush;
+  for (const Splat& splat : splats) {
+    const SplatKernel& kernel = kernels[splat.kernel];
+    if (const auto area = canvas.reserve(splat, kernel)) addSplat(splat, kernel, *area, canvas.stride());
+  }
 }
 
-/// One row of a block: 16 pixels.
+/// One row of a block.
 void developRow(float* HWY_RESTRICT light, const float* HWY_RESTRICT speckle, const float* HWY_RESTRICT normals,
                 const DevelopSettings& s, std::uint8_t* HWY_RESTRICT pixels) {
   const Floats d;
@@ -81,71 +102,7 @@ void developRow(float* HWY_RESTRICT light, const float* HWY_RESTRICT speckle, co
   }
 }
 
-const char* targetName() { return hwy::TargetName(HWY_TARGET); }
-
-}  // namespace vignole::simulator::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace vignole::simulator {
-
-HWY_EXPORT(addSplat);
-HWY_EXPORT(developRow);
-HWY_EXPORT(targetName);
-
-const char* lightKernelTarget() { return HWY_DYNAMIC_DISPATCH(targetName)(); }
-
-Canvas::Canvas(int width, int height)
-    : blocksX((width + kBlock - 1) / kBlock),
-      blocksY((height + kBlock - 1) / kBlock),
-      width_(width),
-      height_(height),
-      stride_(blocksX * kBlock + 2 * kMargin),
-      data_(static_cast<std::size_t>(stride_ * (blocksY * kBlock + 2 * kMargin)), 0.0F) {
-  touched.assign(static_cast<std::size_t>(blocksX * blocksY), 0);
-}
-
-void Canvas::add(const std::vector<Splat>& splats, const std::vector<SplatKernel>& kernels) {
-  const auto splatInto = HWY_DYNAMIC_DISPATCH(addSplat);
-  for (const Splat& splat : splats) {
-    const SplatKernel& kernel = kernels[splat.kernel];
-    // Written so that NaN falls through.
-    if (!(splat.x > -kMargin && splat.x < static_cast<float>(width_ + kMargin) && splat.y > -kMargin &&
-          splat.y < static_cast<float>(height_ + kMargin)))
-      continue;
-    const int column = static_cast<int>(std::lround(splat.x)), y = static_cast<int>(std::lround(splat.y));
-    const int left = column - kernel.halfWidth, right = column + kernel.halfWidth - 1;
-    const int top = y - kernel.halfHeight, bottom = y + kernel.halfHeight;
-    if (left < -kMargin || top < -kMargin || right >= blocksX * kBlock + kMargin ||
-        bottom >= blocksY * kBlock + kMargin)
-      continue;
-    splatInto(splat, kernel, row(y), stride_, column, y);
-    if (left < 0 || top < 0 || right >= blocksX * kBlock || bottom >= blocksY * kBlock) marginTouched_ = true;
-    const int b0 = std::max(0, left) / kBlock, b1 = std::min(right / kBlock, blocksX - 1);
-    const int r0 = std::max(0, top) / kBlock, r1 = std::min(bottom / kBlock, blocksY - 1);
-    if (right < 0 || bottom < 0) continue;
-    for (int r = r0; r <= r1; ++r)
-      for (int b = b0; b <= b1; ++b) touched[static_cast<std::size_t>(r * blocksX + b)] = 1;
-  }
-}
-
-void Canvas::clearMargin() {
-  if (!marginTouched_) return;
-  marginTouched_ = false;
-  const int w = blocksX * kBlock, h = blocksY * kBlock;
-  for (int y = -kMargin; y < h + kMargin; ++y) {
-    float* r = row(y);
-    if (y < 0 || y >= h) {
-      std::fill(r - kMargin, r + w + kMargin, 0.0F);
-    } else {
-      std::fill(r - kMargin, r, 0.0F);
-      std::fill(r + w, r + w + kMargin, 0.0F);
-    }
-  }
-}
-
-void develop(Canvas& canvas, const DevelopSettings& settings, const MutableImageView& image) {
-  const auto developInto = HWY_DYNAMIC_DISPATCH(developRow);
+void developTouched(Canvas& canvas, const DevelopSettings& settings, const MutableImageView& image) {
   const std::uint64_t shift = hash(settings.key, Stream::SpeckleOffset, {});
   const auto shiftX = static_cast<int>(shift % kSpeckleSize), shiftY = static_cast<int>((shift >> 20) % kSpeckleSize);
   for (int by = 0; by < canvas.blocksY; ++by)
@@ -164,10 +121,80 @@ void develop(Canvas& canvas, const DevelopSettings& settings, const MutableImage
         const float* speckle = settings.speckle +
                                static_cast<std::ptrdiff_t>((y + shiftY) % kSpeckleSize) * kSpeckleStride +
                                (x0 + shiftX) % kSpeckleSize;
-        developInto(canvas.row(y) + x0, speckle, normals + i * kBlock, settings, pixels);
+        developRow(canvas.row(y) + x0, speckle, normals + i * kBlock, settings, pixels);
         if (y < image.height) std::memcpy(image.row(y) + x0, pixels, static_cast<std::size_t>(columns));
       }
     }
+}
+
+const char* targetName() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace vignole::simulator::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vignole::simulator {
+
+HWY_EXPORT(addSplats);
+HWY_EXPORT(developTouched);
+HWY_EXPORT(targetName);
+
+const char* lightKernelTarget() { return HWY_DYNAMIC_DISPATCH(targetName)(); }
+
+Canvas::Canvas(int width, int height)
+    : blocksX((width + kBlock - 1) / kBlock),
+      blocksY((height + kBlock - 1) / kBlock),
+      width_(width),
+      height_(height),
+      // An odd number of lines: the rows of a column spread over all sets of the cache.
+      linesPerRow_((blocksX + 2 * kMargin / kBlock) | 1),
+      data_(static_cast<std::size_t>(linesPerRow_ * (blocksY * kBlock + 2 * kMargin))) {
+  touched.assign(static_cast<std::size_t>(blocksX * blocksY), 0);
+}
+
+std::optional<Canvas::Area> Canvas::reserve(const Splat& splat, const SplatKernel& kernel) {
+  // Written so that NaN falls through.
+  if (!(splat.x > -kMargin && splat.x < static_cast<float>(width_ + kMargin) && splat.y > -kMargin &&
+        splat.y < static_cast<float>(height_ + kMargin)))
+    return {};
+  const auto block = [](float px) { return static_cast<int>(std::floor(px / kBlock)); };
+  const int b0 = block(splat.x - kernel.halfWidth), b1 = block(splat.x + kernel.halfWidth);
+  const int y = static_cast<int>(std::lround(splat.y));
+  const int top = y - kernel.halfHeight, bottom = y + kernel.halfHeight;
+  constexpr int kMarginBlocks = kMargin / kBlock;
+  if (b0 < -kMarginBlocks || top < -kMargin || b1 >= blocksX + kMarginBlocks || bottom >= blocksY * kBlock + kMargin)
+    return {};
+  if (b0 < 0 || top < 0 || b1 >= blocksX || bottom >= blocksY * kBlock) marginTouched_ = true;
+  if (bottom >= 0) {
+    const int r0 = std::max(0, top) / kBlock, r1 = std::min(bottom / kBlock, blocksY - 1);
+    for (int r = r0; r <= r1; ++r)
+      for (int b = std::max(0, b0); b <= std::min(b1, blocksX - 1); ++b)
+        touched[static_cast<std::size_t>(r * blocksX + b)] = 1;
+  }
+  return Area{row(y), b0 * kBlock, (b1 - b0 + 1) * kBlock, y};
+}
+
+void Canvas::add(const std::vector<Splat>& splats, const std::vector<SplatKernel>& kernels) {
+  HWY_DYNAMIC_DISPATCH(addSplats)(splats, kernels, *this);
+}
+
+void Canvas::clearMargin() {
+  if (!marginTouched_) return;
+  marginTouched_ = false;
+  const int w = blocksX * kBlock, h = blocksY * kBlock;
+  for (int y = -kMargin; y < h + kMargin; ++y) {
+    float* r = row(y);
+    if (y < 0 || y >= h) {
+      std::fill(r - kMargin, r + w + kMargin, 0.0F);
+    } else {
+      std::fill(r - kMargin, r, 0.0F);
+      std::fill(r + w, r + w + kMargin, 0.0F);
+    }
+  }
+}
+
+void develop(Canvas& canvas, const DevelopSettings& settings, const MutableImageView& image) {
+  HWY_DYNAMIC_DISPATCH(developTouched)(canvas, settings, image);
   canvas.clearMargin();
 }
 

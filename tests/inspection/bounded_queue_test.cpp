@@ -12,8 +12,10 @@ namespace {
 TEST(BoundedQueue, KeepsOrderAndCountsItsHighWater) {
   BoundedQueue<int> queue(4);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(queue.push(int{i}));
+  EXPECT_EQ(queue.depth(), 3U);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(queue.pop(), i);
   EXPECT_TRUE(queue.push(7));
+  EXPECT_EQ(queue.depth(), 1U);
   EXPECT_EQ(queue.highWater(), 3U);
   EXPECT_EQ(queue.capacity(), 4U);
   EXPECT_EQ(queue.overflows(), 0U);
@@ -38,6 +40,36 @@ TEST(BoundedQueue, TokensTakeTheirTurnButNoPlace) {
   EXPECT_EQ(queue.pop(), 2);
   EXPECT_EQ(queue.pop(), 3);
   EXPECT_EQ(queue.highWater(), 1U);
+}
+
+TEST(BoundedQueue, WhoFoundItFullGoesOnWhenHalfIsEmpty) {
+  BoundedQueue<int> queue(4);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(queue.push(int{i}));
+  std::atomic<bool> pushed{false};
+  std::jthread producer([&] {
+    EXPECT_TRUE(queue.push(4));
+    pushed = true;
+  });
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_EQ(queue.pop(), 1);
+  producer.join();  // without another pop
+  EXPECT_TRUE(pushed);
+  for (int i = 2; i < 5; ++i) EXPECT_EQ(queue.pop(), i);
+  EXPECT_EQ(queue.highWater(), 4U);
+}
+
+TEST(BoundedQueue, WhatNeedNotWakeTheConsumerComesWithTheNextOrAtAQuarter) {
+  using Queue = BoundedQueue<int>;
+  Queue queue(8);
+  for (const auto last : {Queue::Wake::Now, Queue::Wake::Later}) {
+    std::jthread consumer([&] {
+      EXPECT_EQ(queue.pop(), 1);
+      EXPECT_EQ(queue.pop(), 2);
+    });
+    EXPECT_TRUE(queue.push(1, {}, 0, Queue::Wake::Later));
+    EXPECT_TRUE(queue.tryPush(2, 0, last));
+  }  // joins without another push
+  EXPECT_TRUE(queue.empty());
 }
 
 TEST(BoundedQueue, AStopReleasesWhoWaitsForAPlaceOrAnItem) {
