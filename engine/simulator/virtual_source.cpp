@@ -108,6 +108,7 @@ class VirtualSource final : public FrameSource {
     begin.lengthMm = settings_.lengthMm;
     begin.speedMmPerS = s.speedMmPerS;
     begin.temperatureC = s.temperatureC;
+    begin.temperatureUncertaintyC = 0;  // rendered, so known exactly
     return begin;
   }
 

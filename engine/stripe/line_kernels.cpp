@@ -165,12 +165,17 @@ void smooth(LinePoints& p, const LineSmoothing& smoothing) {
       const Floats sigma2 = hn::Mul(sigma, sigma), b = hn::Mul(c2, perScale), b2 = hn::Mul(b, b);
       const Floats share = hn::Div(b2, hn::MulAdd(set(window.ofBend), sigma2, b2));
       const Floats trusted = hn::Mul(share, set(smoothing.pullPx2));
-      const Floats at = hn::NegMulAdd(trusted, b, hn::Mul(c0, set(kScalePx)));
+      const Floats spread2 = hn::Div(m.s2, m.s0), circle = hn::Mul(hn::Mul(c2, c2), hn::Mul(c2, set(window.ofCircle)));
+      const Floats centred = hn::NegMulAdd(circle, hn::Mul(spread2, spread2), c0);
+      const Floats at = hn::NegMulAdd(trusted, b, hn::Mul(centred, set(kScalePx)));
       const Floats factor =
           hn::MulAdd(trusted, hn::MulSub(trusted, set(window.ofBend), set(2 * window.covariance)), set(window.ofPlace));
-      const Floats spread = hn::Mul(sigma2, factor);
-      const Floats most = hn::Mul(sigma2, set((window.scatter + kScatter * window.scatterSd) / (kScalePx * kScalePx)));
-      active = hn::And(active, hn::Le(scatter, most));
+      // What noise alone leaves; more of it says that the line is no parabola here, and the answer as much less sure.
+      const Floats expected = hn::Mul(sigma2, set(window.scatter / (kScalePx * kScalePx)));
+      active =
+          hn::And(active, hn::Le(scatter, hn::Mul(expected, set(1 + kScatter * window.scatterSd / window.scatter))));
+      const Floats excess = hn::Max(set(1), hn::Div(scatter, expected));
+      const Floats spread = hn::Mul(hn::Mul(sigma2, factor), excess);
       place = hn::IfThenElse(active, at, place);
       bend = hn::IfThenElse(active, hn::Mul(share, b), bend);
       variance = hn::IfThenElse(active, spread, variance);

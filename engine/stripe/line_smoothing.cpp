@@ -35,6 +35,14 @@ void propagate(const std::vector<Member>& members, double variancePx2, Smoothing
   window.ofPlace = static_cast<float>(covariance(0, 0));
   window.ofBend = static_cast<float>(covariance(2, 2));
   window.covariance = static_cast<float>(covariance(0, 2));
+  double quartic = 0, square = 0, total = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Member& m = members[static_cast<std::size_t>(i)];
+    quartic += coefficients(0, i) * std::pow(m.at, 4);
+    square += m.weight * m.at * m.at;
+    total += m.weight;
+  }
+  window.ofCircle = static_cast<float>(quartic / std::pow(square / total, 2));
   // Residuals' quadratic form W - W X (X' W X)^-1 X' W.
   Eigen::MatrixXd form = -design.transpose() * coefficients;
   for (Eigen::Index i = 0; i < n; ++i) form(i, i) += members[static_cast<std::size_t>(i)].weight;

@@ -13,12 +13,14 @@ namespace vignole {
 struct SmoothingWindow {
   std::array<int, 3> offsets{};
   int count = 0;
-  float weight = 1;      ///< of each: how many points it stands for
-  float room = 0;        ///< neighbours that it reaches to
-  float ofPlace = 0;     ///< variance of the parabola's place, in variances of a ridge point
-  float ofBend = 0;      ///< variance of its second coefficient, the same / px^4
-  float scatter = 0;     ///< expected sum of weighted squared residuals, in variances of a ridge point
-  float scatterSd = 0;   ///< its standard deviation
+  float weight = 1;     ///< of each: how many points it stands for
+  float room = 0;       ///< neighbours that it reaches to
+  float ofPlace = 0;    ///< variance of the parabola's place, in variances of a ridge point
+  float ofBend = 0;     ///< variance of its second coefficient, the same / px^4
+  float scatter = 0;    ///< expected sum of weighted squared residuals, in variances of a ridge point
+  float scatterSd = 0;  ///< its standard deviation
+  /// Of a circle w = b u^2 + b^3 u^4 + ... the parabola misses the place by this times b^3 (mean u^2)^2.
+  float ofCircle = 0;
   float covariance = 0;  ///< of the two, the same / px^2
 };
 

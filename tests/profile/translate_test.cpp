@@ -41,7 +41,7 @@ StripeResult line(double angleRad, int points, float sigmaPx = 0.1F) {
     p.strength = 40;
     stripe.points.push_back(p);
   }
-  stripe.lines.push_back({0, static_cast<std::uint32_t>(points), false});
+  stripe.lines.push_back({0, static_cast<std::uint32_t>(points), Rejection::None});
   stripe.backgroundDn = 12;
   return stripe;
 }
@@ -107,7 +107,7 @@ TEST(Translate, SigmaAgreesWithMonteCarloAlongTheWorldNormal) {
 
 TEST(Translate, RejectedLinesAreLeftOutAndLineEndsStayRight) {
   StripeResult stripe = line(0, 6);
-  stripe.lines = {{0, 2, false}, {2, 3, true}, {5, 1, false}};
+  stripe.lines = {{0, 2, Rejection::None}, {2, 3, Rejection::Weaker}, {5, 1, Rejection::None}};
   PartialContour contour;
   contour.points.resize(40);
   contour.lineEnds = {40};

@@ -77,7 +77,8 @@ TEST(BlockScan, MarksTheBlocksOfTheLineAndFewOthers) {
   const synthetic::StripeScene scene = synthetic::stripeScene("narrow", 5);
   onEveryTarget([&] {
     BlockScan scan;
-    scan.scan(scene.view(), {});
+    scan.begin(scene.view(), {});
+    for (int row = 0; row < scan.rows(); ++row) (void)scan.settle(row);
     std::vector<char> marked(static_cast<std::size_t>(scan.columns() * scan.rows()), 0);
     for (const BlockRun& run : scan.runs())
       for (int c = 0; c < run.count; ++c)

@@ -19,7 +19,9 @@ TEST_P(Scenes, AreMetAsWellAsByTheReference) {
   const std::string name = GetParam();
   const synthetic::StripeScene scene = synthetic::stripeScene(name, 41);
   StripeResult result;
-  StripeExtractor({}).extract(scene.view(), result);
+  StripeSettings uncorrected;
+  uncorrected.correction = false;
+  StripeExtractor(uncorrected).extract(scene.view(), result);
   const StripeScore fast = synthetic::score(scene, result.points);
   const std::vector<StripePoint> plain = synthetic::referenceSteger(scene.view(), {});
   const StripeScore reference = synthetic::score(scene, plain);

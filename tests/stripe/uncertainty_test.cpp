@@ -28,9 +28,11 @@ std::vector<std::vector<double>> errorsOverFrames(const StraightLine& line, cons
     errors.emplace_back(static_cast<std::size_t>(line.width), std::nan(""));
     for (const StripePoint& p : result.points) {
       if ((p.flags & kLineEnd) != 0) continue;
-      const double e = (p.x - line.x0) * std::cos(line.angleRad) + (p.y - line.y0) * std::sin(line.angleRad);
-      errors.back()[static_cast<std::size_t>(std::lround(p.x))] = e;
-      variances += static_cast<double>(p.sigmaPx) * p.sigmaPx;
+      // Of the ridge: its errors are those of the filter.
+      const double x = p.x - p.shiftPx * p.nx, y = p.y - p.shiftPx * p.ny;
+      const double e = (x - line.x0) * std::cos(line.angleRad) + (y - line.y0) * std::sin(line.angleRad);
+      errors.back()[static_cast<std::size_t>(std::lround(x))] = e;
+      variances += static_cast<double>(p.ridgeSigmaPx) * p.ridgeSigmaPx;
       ++count;
     }
     correlatedSum += result.correlatedPoints;
@@ -124,7 +126,7 @@ TEST(Uncertainty, SpeckleRaisesIt) {
     StripeResult result;
     StripeExtractor({}).extract(scene.view(), result);
     std::vector<float> sigmas;
-    for (const StripePoint& p : result.points) sigmas.push_back(p.sigmaPx);
+    for (const StripePoint& p : result.points) sigmas.push_back(p.ridgeSigmaPx);
     std::sort(sigmas.begin(), sigmas.end());
     return sigmas[sigmas.size() / 2];
   };
