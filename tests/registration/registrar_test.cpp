@@ -39,7 +39,7 @@ TEST(CandidateGrid, AgreesWithEveryPrimitiveTried) {
   const Section s = section();
   std::vector<Carrier> carriers;
   for (const auto& p : s.primitives) carriers.push_back(Carrier::of(p.shape));
-  const CandidateGrid grid(carriers, 1, 40);
+  const CandidateGrid grid(carriers, 1, 40, 3);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> x(-150, 150), y(-80, 260);
   for (int i = 0; i < 50000; ++i) {
