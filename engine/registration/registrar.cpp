@@ -259,6 +259,7 @@ struct Registrar::Impl {
   static void clear(Registration& r, std::size_t points, std::size_t primitives) {
     r.valid = false;
     r.reason.clear();
+    r.looksLike.reset();
     r.worldFromSection = {};
     r.covariance.setZero();
     r.rmsMm = r.chi2 = r.timeUs = 0;
@@ -272,32 +273,50 @@ struct Registrar::Impl {
   void run(std::span<const ProfilePoint> points, Registration& r, const std::optional<Transform2>& start,
            double correlatedPoints) {
     const auto began = std::chrono::steady_clock::now();
+    if (!begin(points, r)) return;
+    settle(findStart(start), correlatedPoints, r);
+    r.timeUs = microsecondsSince(began);
+  }
+
+  void runFrom(const Transform2& start, double scaleMm, std::span<const ProfilePoint> points, Registration& r) {
+    const auto began = std::chrono::steady_clock::now();
+    if (!begin(points, r)) return;
+    Start best;
+    tryStart(start.inverse() * Transform2{anchor.x(), anchor.y(), 0}, scaleMm, best);
+    if (1 - best.cost < kGoodShare) best.rounds = 0;
+    settle(best, 1, r);
+    r.timeUs = microsecondsSince(began);
+  }
+
+  bool begin(std::span<const ProfilePoint> points, Registration& r) {
     clear(r, points.size(), carriers.size());
     if (points.size() < kMinPoints) {
       r.reason =
           "only " + std::to_string(points.size()) + " points, at least " + std::to_string(kMinPoints) + " are needed";
-      return;
+      return false;
     }
     take(points);
-    const Start best = findStart(start);
+    return true;
+  }
+
+  void settle(const Start& best, double correlatedPoints, Registration& r) {
     if (best.rounds == 0) {
       r.reason = "no point is near the outline of " + name;
       return;
     }
+    const auto n = static_cast<std::size_t>(r.points);
     Transform2 pose = best.pose;
-    sortByPrimitive(points.size(), pose);
+    sortByPrimitive(n, pose);
     NormalEquations equations;
     double scale = std::clamp(6 * best.rms, 0.15, 1.0);
-    if (const Pass p = passOverAll(points.size(), pose, scale, equations); p.step >= 0)
-      scale = std::clamp(6 * p.rms, 0.15, scale);
-    passOverAll(points.size(), pose, scale, equations);
+    if (const Pass p = passOverAll(n, pose, scale, equations); p.step >= 0) scale = std::clamp(6 * p.rms, 0.15, scale);
+    passOverAll(n, pose, scale, equations);
     r.iterations = best.rounds + 2;
-    evaluate(points.size(), pose, r);
+    evaluate(n, pose, r);
     r.worldFromSection = Transform2{anchor.x(), anchor.y(), 0} * pose.inverse();
     r.worldFromSection.angleRad = std::remainder(r.worldFromSection.angleRad, 2 * 3.14159265358979323846);
     judge(r);
     propagate(equations, correlatedPoints, r);
-    r.timeUs = microsecondsSince(began);
   }
 
   void propagate(const NormalEquations& equations, double correlatedPoints, Registration& r) const {
@@ -343,6 +362,10 @@ Registrar& Registrar::operator=(Registrar&&) noexcept = default;
 void Registrar::registerProfile(std::span<const ProfilePoint> points, Registration& result,
                                 const std::optional<Transform2>& start, double correlatedPoints) {
   impl_->run(points, result, start, correlatedPoints);
+}
+void Registrar::registerFrom(const Transform2& start, double scaleMm, std::span<const ProfilePoint> points,
+                             Registration& result) {
+  impl_->runFrom(start, scaleMm, points, result);
 }
 
 }  // namespace vignole
