@@ -20,8 +20,6 @@
 #include "cli/interruption.h"
 #include "cli/report_files.h"
 #include "engine/files/atomic_file.h"
-#include "engine/rail/catalogue.h"
-#include "engine/registration/registration.h"
 #include "engine/simulator/virtual_rig.h"
 
 namespace vignole::cli {
@@ -100,20 +98,6 @@ double severity(const Measurement& measurement) {
   return worst;
 }
 
-/// Whether another section of the catalogue fits a profile clearly better than the recipe's.
-std::optional<OtherRail> findOtherRail(const std::vector<ProfilePoint>& points, const Recipe& recipe) {
-  constexpr double kClearly = 0.5;
-  std::vector<Section> sections = {recipe.section};
-  for (const std::string& rail : catalogueNames())
-    if (auto section = findSection(rail); section && section->name != recipe.section.name)
-      sections.push_back(std::move(*section));
-  const auto matches = bestMatch(points, sections, recipe.registration);
-  const auto own =
-      std::find_if(matches.begin(), matches.end(), [&](const RailMatch& m) { return m.rail == recipe.section.name; });
-  if (own == matches.end() || !(matches.front().chi2 < kClearly * own->chi2)) return {};
-  return OtherRail{matches.front().rail, matches.front().chi2, own->chi2};
-}
-
 /// Takes what the inspection tells, on its last stage's thread; read after the end.
 class Collector {
  public:
@@ -145,9 +129,6 @@ class Collector {
 
   std::vector<InspectedRail> rails;
   std::vector<std::optional<ProfileResult>> examples;  ///< one a rail: the profile that is furthest out
-  /// A complete profile of the first rail and of some that did not pass, with the rail's number: they may be of another
-  /// section than the recipe's.
-  std::vector<std::pair<std::size_t, std::vector<ProfilePoint>>> samples;
   std::uint64_t profiles = 0, registered = 0;
   Accuracy accuracy;
   CameraHealth cameras;
@@ -157,12 +138,9 @@ class Collector {
   Expected<void> closeCsv() { return csv_ ? csv_->commit() : Expected<void>{}; }
 
  private:
-  static constexpr std::size_t kMaxSamples = 8;
-
   void begin(const RailBegin& rail) {
     summariser_.emplace(rail, recipe_, calibration_.id);
     example_.reset();
-    sample_.clear();
     severity_ = -1;
     profileOfRail_ = 0;
   }
@@ -173,7 +151,6 @@ class Collector {
     cameras.add(result.profile);
     if (csv_) csv_->write(csvRow(result, profileOfRail_));
     ++profileOfRail_;
-    if (sample_.empty() && result.profile.complete()) sample_ = result.profile.points;
     if (result.registration.valid) {
       ++registered;
       accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
@@ -188,9 +165,7 @@ class Collector {
   }
 
   void end(const TriggerLedger& ledger) {
-    rails.push_back({summariser_->summary(ledger), recipe_.section.name, {}});
-    const bool doubtful = rails.size() == 1 || rails.back().summary.verdict != Verdict::Pass;
-    if (doubtful && !sample_.empty() && samples.size() < kMaxSamples) samples.emplace_back(rails.size() - 1, sample_);
+    rails.push_back({summariser_->summary(ledger), recipe_.section.name});
     examples.push_back(std::move(example_));
     example_.reset();
   }
@@ -211,7 +186,6 @@ class Collector {
   double profilesExpected_;
   std::optional<RailSummariser> summariser_;
   std::optional<ProfileResult> example_;
-  std::vector<ProfilePoint> sample_;  ///< of the rail's first complete profile
   double severity_ = -1;
   std::uint64_t profileOfRail_ = 0;
   std::mutex mutex_;
@@ -246,7 +220,9 @@ Expected<void> writeResults(const Options& o, const Recipe& recipe, Collector& c
 /// The exit code, once all has been written.
 int judge(const Options& o, const Collector& collected, const InspectionOutcome& outcome) {
   if (!collected.error.empty()) return fail({"source", collected.error, ErrorKind::World});
-  if (collected.registered == 0 && outcome.triggers.seen > 0) {
+  const bool anotherRail = std::any_of(outcome.rails.begin(), outcome.rails.end(),
+                                       [](const InspectedRail& rail) { return rail.summary.looksLike.has_value(); });
+  if (collected.registered == 0 && outcome.triggers.seen > 0 && !anotherRail) {
     if (collected.profiles == 0)
       return fail(
           {"inspect",
@@ -344,7 +320,6 @@ int inspect(const Options& o) {
     outcome.stages = inspection.stages();
   }
   progress.reset();
-  for (const auto& [rail, points] : collected.samples) collected.rails[rail].otherRail = findOtherRail(points, *recipe);
   outcome.rails = collected.rails;
   outcome.profiles = collected.profiles;
   outcome.calibrationId = calibration.id;

@@ -59,10 +59,11 @@ Json toJson(const InspectedRail& rail) {
                {"verdict", name(s.verdict)},
                {"dimensions", dimensions},
                {"triggers", toJson(s.triggers)}};
-  if (rail.otherRail)
-    json["looks_like"] = {{"section", rail.otherRail->section},
-                          {"chi2", rail.otherRail->chi2},
-                          {"chi2_of_recipe", rail.otherRail->chi2OfRecipe}};
+  if (s.looksLike)
+    json["looks_like"] = {{"section", s.looksLike->section},
+                          {"chi2", s.looksLike->chi2},
+                          {"chi2_of_recipe", s.looksLike->chi2OfRecipe},
+                          {"profiles", s.looksLike->profiles}};
   return json;
 }
 
@@ -134,10 +135,9 @@ std::string tableOf(const InspectedRail& rail) {
     }
     text += "\n";
   }
-  if (rail.otherRail)
+  if (s.looksLike)
     text += format("This rail looks like %s (chi2 %.1f) rather than %s (chi2 %.1f): is it the right recipe?\n",
-                   rail.otherRail->section.c_str(), rail.otherRail->chi2, rail.section.c_str(),
-                   rail.otherRail->chi2OfRecipe);
+                   s.looksLike->section.c_str(), s.looksLike->chi2, rail.section.c_str(), s.looksLike->chi2OfRecipe);
   return text;
 }
 

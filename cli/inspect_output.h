@@ -2,7 +2,6 @@
 // What `vignole-cli inspect` tells: a table for people, JSON and CSV for programs (commands.md is the contract).
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,17 +12,10 @@
 
 namespace vignole::cli {
 
-/// A section of the catalogue that fits a rail clearly better than its recipe's.
-struct OtherRail {
-  std::string section;
-  double chi2 = 0, chi2OfRecipe = 0;  ///< per point
-};
-
 /// A rail as it is told: the summary, and the section that it was measured against.
 struct InspectedRail {
   RailSummary summary;
   std::string section;
-  std::optional<OtherRail> otherRail;
 };
 
 struct InspectionOutcome {

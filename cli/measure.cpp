@@ -14,6 +14,7 @@
 #include "engine/measurement/measurement.h"
 #include "engine/profile/profile_file.h"
 #include "engine/rail/catalogue.h"
+#include "engine/registration/rail_matcher.h"
 
 namespace vignole::cli {
 namespace {
@@ -70,7 +71,7 @@ Json poseJson(const Registration& r) {
   return {{"x_mm", t.xMm}, {"y_mm", t.yMm}, {"angle_deg", t.angleRad * 180 / 3.14159265358979323846}};
 }
 
-Json registrationJson(const MeasuredFile& m) {
+Json registrationJson(const MeasuredFile& m, const Section& section) {
   const Registration& r = m.registration;
   const auto ifValid = [&](double value) { return r.valid ? Json(value) : Json(); };
   Json j = {{"rms_mm", ifValid(r.rmsMm)}, {"inliers", r.inliers}, {"points", r.points},
@@ -79,6 +80,15 @@ Json registrationJson(const MeasuredFile& m) {
   for (const RailMatch& match : m.matches) matches.push_back({{"rail", match.rail}, {"chi2", match.chi2}});
   j["best_match"] = std::move(matches);
   if (!r.valid) j["reason"] = r.reason;
+  if (r.looksLike) {
+    Json differing = Json::array();
+    for (const std::int16_t k : r.looksLike->primitives)
+      differing.push_back(section.primitives[static_cast<std::size_t>(k)].name);
+    j["looks_like"] = {{"section", r.looksLike->name},
+                       {"chi2", r.looksLike->chi2},
+                       {"chi2_of_rail", r.looksLike->chi2OfExpected},
+                       {"primitives", std::move(differing)}};
+  }
   return j;
 }
 
@@ -97,7 +107,7 @@ Json fileJson(const MeasuredFile& m, const Section& section) {
           {"rail", section.name},
           {"flipped_axes", axes},
           {"pose", poseJson(m.registration)},
-          {"registration", registrationJson(m)},
+          {"registration", registrationJson(m, section)},
           {"dimensions", dimensionsJson(m.measurement)},
           {"verdict", name(m.measurement.verdict)},
           {"primitives", std::move(primitives)}};
@@ -167,8 +177,6 @@ class Measuring {
       return tl::unexpected(nominal.error());
     if (const auto limits = toleranceLimits(section, "X", "A")) m.limits_ = *limits;
     m.measurer_ = std::make_unique<Measurer>(section, m.parameters_, m.limits_, MeasurementSettings{});
-    for (const std::string& railName : catalogueNames())
-      if (auto rail = findSection(railName)) m.catalogue_.push_back(std::move(*rail));
     return m;
   }
   Expected<MeasuredFile> measure(const std::string& file, const Options& options) {
@@ -178,21 +186,23 @@ class Measuring {
     m.file = file;
     m.points = std::move(*points);
     m.flip = registerEitherWay(m.points, section_, registrar_, m.registration);
+    matcher_.check(m.points, 1, m.registration);
     Profile profile;
     profile.points = m.points;
     measurer_->measure(profile, m.registration, {}, m.measurement);
-    m.matches = bestMatch(m.points, catalogue_);
+    m.matches = matcher_.bestMatch(m.points);
     return m;
   }
 
  private:
-  explicit Measuring(const Section& section) : section_(section), registrar_(section, {}) {}
+  explicit Measuring(const Section& section)
+      : section_(section), registrar_(section, {}), matcher_(section, catalogueSections(), {}) {}
   Section section_;
   DimensionParameters parameters_;
   PerDimension<ToleranceLimits> limits_;
   Registrar registrar_;
+  RailMatcher matcher_;
   std::unique_ptr<Measurer> measurer_;
-  std::vector<Section> catalogue_;
 };
 
 int run(const Options& options) {

@@ -7,6 +7,8 @@
 #include "engine/inspection/pipeline.h"
 #include "engine/profile/stripe_optics.h"
 #include "engine/profile/translate.h"
+#include "engine/rail/catalogue.h"
+#include "engine/registration/rail_matcher.h"
 #include "engine/stripe/stripe_extractor.h"
 
 namespace vignole {
@@ -30,6 +32,7 @@ struct Inspection::Impl {
       : recipe(std::move(chosenRecipe)),
         calibration(std::move(rig)),
         registrar(recipe.section, recipe.registration),
+        matcher(recipe.section, catalogueSections(), recipe.registration),
         measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
       extractors.emplace_back(recipe.stripe, stripeOptics(calibration.rangeFinders[c], fieldAround(recipe.section)));
@@ -48,7 +51,9 @@ struct Inspection::Impl {
         },
         // No start from an earlier profile: what is lost or late must not change what is measured next.
         [this](const RailBegin& rail, const Profile& profile, Registration& registration, Measurement& measurement) {
-          registrar.registerProfile(profile.points, registration, {}, static_cast<double>(profile.correlatedPoints));
+          const auto correlated = static_cast<double>(profile.correlatedPoints);
+          registrar.registerProfile(profile.points, registration, {}, correlated);
+          matcher.check(profile.points, correlated, registration);
           measurer.measure(profile, registration, {rail.temperatureC, rail.temperatureUncertaintyC}, measurement);
         }};
   }
@@ -58,6 +63,7 @@ struct Inspection::Impl {
   std::vector<StripeExtractor> extractors;
   std::vector<Translator> translators;
   Registrar registrar;
+  RailMatcher matcher;
   Measurer measurer;
   std::unique_ptr<Pipeline> pipeline;  // last: its threads end before what they use
 };

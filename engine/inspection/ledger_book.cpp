@@ -37,7 +37,9 @@ void LedgerBook::enterProfile(const Profile& profile, const Registration& regist
     const std::string& missing = profile.missing[static_cast<std::size_t>(c)];
     if (!missing.empty()) reasons.push_back(cameraReason(c, missing));
   }
-  if (!registration.valid) {
+  if (registration.looksLike) {
+    reasons.push_back("wrong section: looks like " + registration.looksLike->name);
+  } else if (!registration.valid) {
     const std::string word = shortReason(registration.reason);
     reasons.push_back(word.empty() ? "not registered" : "not registered: " + word);
   }

@@ -14,7 +14,7 @@ class LedgerBook {
  public:
   void beginRail();
   void enterLost(std::uint64_t triggers, const std::vector<std::string>& reasons);
-  /// Measured if complete and registered, else incomplete with the reasons.
+  /// Measured if complete and registered to the right section, else incomplete with the reasons.
   void enterProfile(const Profile& profile, const Registration& registration);
 
   [[nodiscard]] TriggerLedger total() const;

@@ -160,8 +160,24 @@ void RailSummariser::addToRuns(std::size_t dimension, double positionM, const Di
   ++run.profiles;
 }
 
+void RailSummariser::addToOthers(const OtherSection& other) {
+  OtherRail& rail = others_[other.name];
+  rail.section = other.name;
+  ++rail.profiles;
+  const auto n = static_cast<double>(rail.profiles);
+  rail.chi2 += (other.chi2 - rail.chi2) / n;
+  rail.chi2OfRecipe += (other.chi2OfExpected - rail.chi2OfRecipe) / n;
+}
+
+std::optional<OtherRail> RailSummariser::otherRail() const {
+  for (const auto& [section, rail] : others_)
+    if (2 * rail.profiles >= summary_.profiles) return rail;
+  return {};
+}
+
 void RailSummariser::add(const ProfileResult& result) {
   ++summary_.profiles;
+  if (result.registration.looksLike) addToOthers(*result.registration.looksLike);
   const double positionM = result.profile.positionMm / 1000;
   summary_.lengthM = std::max(summary_.lengthM, positionM + summary_.rail.spacingMm / 1000);
   while (binAt(positionM) >= settings_.trackBins) widenBins();
@@ -196,6 +212,7 @@ Verdict RailSummariser::verdictOf(std::size_t d, const DimensionSummary& dimensi
 RailSummary RailSummariser::summary(const TriggerLedger& triggers) const {
   RailSummary all = summary_;
   all.triggers = triggers;
+  all.looksLike = otherRail();
   // Triggers without a profile are travelled metres too.
   all.lengthM = std::max(all.lengthM, static_cast<double>(triggers.seen) * all.rail.spacingMm / 1000);
   all.verdict = Verdict::NoLimit;
@@ -207,6 +224,8 @@ RailSummary RailSummariser::summary(const TriggerLedger& triggers) const {
     if (all.verdict == Verdict::NoLimit || badness(dimension.verdict) > badness(all.verdict))
       all.verdict = dimension.verdict;
   }
+  // What little of another rail was measured is no verdict on it.
+  if (all.looksLike && badness(Verdict::NotMeasured) > badness(all.verdict)) all.verdict = Verdict::NotMeasured;
   return all;
 }
 

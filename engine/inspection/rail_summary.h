@@ -3,6 +3,7 @@
 // profile by profile, constant memory whatever the length.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,14 @@ struct DimensionSummary {
   std::vector<TrackBin> track;
 };
 
+/// Another section than the recipe's, which explains at least half of the profiles of a rail where the recipe's does
+/// not; chi2 as in OtherSection, mean over those profiles.
+struct OtherRail {
+  std::string section;
+  std::uint64_t profiles = 0;
+  double chi2 = 0, chi2OfRecipe = 0;
+};
+
 struct RailSummary {
   RailBegin rail;
   std::string recipe;  ///< name and version
@@ -46,6 +55,7 @@ struct RailSummary {
   double lengthM = 0;
   std::uint64_t profiles = 0;
   Verdict verdict = Verdict::NotMeasured;
+  std::optional<OtherRail> looksLike;
   PerDimension<DimensionSummary> dimensions;
   TriggerLedger triggers;
 };
@@ -79,6 +89,8 @@ class RailSummariser {
   [[nodiscard]] std::size_t binAt(double positionM) const;
   void addToTrack(DimensionSummary& dimension, double positionM, double valueMm) const;
   void addToRuns(std::size_t dimension, double positionM, const DimensionResult& result);
+  void addToOthers(const OtherSection& other);
+  [[nodiscard]] std::optional<OtherRail> otherRail() const;
   void widenBins();
   void appendException(DimensionSummary& dimension, const Run& run) const;
   [[nodiscard]] Verdict verdictOf(std::size_t dimension, const DimensionSummary& summary) const;
@@ -89,6 +101,7 @@ class RailSummariser {
   PerDimension<std::uint64_t> notPassing_{};  ///< length of the present stretch of near or fail
   PerDimension<std::uint64_t> longestNotPassing_{};
   PerDimension<std::uint64_t> failed_{};  ///< profiles
+  std::map<std::string, OtherRail> others_;
   double binWidthM_ = 0;
 };
 

@@ -43,6 +43,13 @@ std::vector<std::string> catalogueNames() {
   return names;
 }
 
+std::vector<Section> catalogueSections() {
+  std::vector<Section> sections;
+  for (const std::string& name : catalogueNames())
+    if (auto section = findSection(name)) sections.push_back(std::move(*section));
+  return sections;
+}
+
 Expected<Section> findSection(std::string_view nameOrFile) {
   if (looksLikeFile(nameOrFile)) return loadSection(nameOrFile);
   const std::vector<std::string> names = catalogueNames();

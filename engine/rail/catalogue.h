@@ -16,6 +16,9 @@ namespace vignole {
 /// Names of the catalogue's sections, sorted.
 [[nodiscard]] std::vector<std::string> catalogueNames();
 
+/// All of them, in that order; a file that cannot be read is left out.
+[[nodiscard]] std::vector<Section> catalogueSections();
+
 /// A catalogue name ("60E1", case-insensitive) or a path to a section file. The error lists the names there are.
 [[nodiscard]] Expected<Section> findSection(std::string_view nameOrFile);
 

@@ -2,8 +2,10 @@
 // A primitive as the inner loops of the registration want it: everything precomputed, plain doubles.
 
 #include <cmath>
+#include <limits>
 
 #include "engine/geometry/primitive.h"
+#include "engine/registration/pose_kernels.h"
 
 namespace vignole {
 
@@ -18,6 +20,14 @@ struct Carrier {
 
   [[nodiscard]] static Carrier of(const Primitive& primitive);
 
+  /// Direction of travel at the start.
+  [[nodiscard]] Point2 startTangent() const {
+    if (!isArc) return {tx, ty};
+    return {-outward * (startY - y) / radius, outward * (startX - x) / radius};
+  }
+  /// Infinite for a segment.
+  [[nodiscard]] double bendRadius() const { return isArc ? radius : std::numeric_limits<double>::infinity(); }
+
   /// Squared distance to the primitive itself, ends included.
   [[nodiscard]] double squaredDistance(double qx, double qy) const {
     if (!isArc) {
@@ -31,11 +41,11 @@ struct Carrier {
     if (dx * mx + dy * my >= cosHalf * r) return (r - radius) * (r - radius);
     return std::fmin(squaredDistanceTo(startX, startY, qx, qy), squaredDistanceTo(endX, endY, qx, qy));
   }
-  /// Signed distance to the whole line or circle, > 0 outside the section.
-  [[nodiscard]] double residual(double qx, double qy) const {
-    if (!isArc) return nx * qx + ny * qy - offset;
-    const double dx = qx - x, dy = qy - y;
-    return outward * (std::sqrt(dx * dx + dy * dy) - radius);
+  /// The whole line or circle.
+  [[nodiscard]] FlatCarrier flat() const {
+    const auto narrow = [](double value) { return static_cast<float>(value); };
+    if (!isArc) return {narrow(nx), narrow(ny), narrow(offset), 0};
+    return {narrow(x), narrow(y), narrow(radius), narrow(outward)};
   }
 
  private:

@@ -1,10 +1,12 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
 #include "engine/registration/candidate_grid.h"
 #include "engine/registration/normal_equations.h"
+#include "engine/registration/pose_kernels.h"
 #include "engine/registration/registration.h"
 
 namespace vignole {
@@ -13,7 +15,6 @@ namespace {
 constexpr double kCellMm = 1;
 constexpr double kMarginMm = 40;
 constexpr std::size_t kCoarsePoints = 128;
-constexpr std::size_t kMiddlePoints = 640;  // brings the pose within a few micrometres before all points are looked at
 constexpr int kCoarseRounds = 25;
 constexpr std::size_t kMinPoints = 20;
 constexpr float kFallbackSigmaMm = 0.03F;  // where a point comes without its uncertainty
@@ -36,8 +37,12 @@ struct Extent {
 
 struct Registrar::Impl {
   Impl(const Section& section, const RegistrationSettings& given)
-      : settings(given), name(section.name), carriers(carriersOf(section)), grid(carriers, kCellMm, kMarginMm) {
+      : settings(given),
+        name(section.name),
+        carriers(carriersOf(section)),
+        grid(carriers, kCellMm, kMarginMm, std::max(settings.assignMm, kNearMm)) {
     centreY = section.heightMm() / 2;
+    for (const Carrier& c : carriers) flat.push_back(c.flat());
     measureSection(section);
   }
 
@@ -59,136 +64,132 @@ struct Registrar::Impl {
       headX = {carriers[*left].startX, carriers[*right].startX};
   }
 
-  /// Moves points into the section frame and sums a step; `search` looks the nearest primitives up again.
+  /// Poses here are section from anchor: the world, shifted to near the data.
+  static Motion motionOf(const Transform2& pose) {
+    const auto narrow = [](double value) { return static_cast<float>(value); };
+    return {narrow(std::cos(pose.angleRad)), narrow(std::sin(pose.angleRad)), narrow(pose.xMm), narrow(pose.yMm)};
+  }
+  [[nodiscard]] Tukey tukey(double scaleMm) const { return {static_cast<float>(centreY), static_cast<float>(scaleMm)}; }
+  static Points pointsOf(const std::vector<float>& px, const std::vector<float>& py, std::size_t n) {
+    return {px.data(), py.data(), n};
+  }
+
   struct Pass {
     double step = -1;  ///< mm, how far the pose moved; < 0: nothing determined
     double rms = 0;
   };
-  Pass pass(const double* px, const double* py, std::size_t n, Transform2& sectionFromWorld, double scale, bool search,
-            NormalEquations* kept = nullptr) {
-    moveIntoSection(px, py, n, sectionFromWorld);
-    if (search)
-      for (std::size_t i = 0; i < n; ++i) nearest[i] = grid.nearest(x[i], y[i]);
-    NormalEquations equations;
-    for (std::size_t i = 0;
-         i < n;) {  // runs of one primitive: the paper's primitive caching, and loops without branches
-      std::size_t j = i + 1;
-      while (j < n && nearest[j] == nearest[i]) ++j;
-      equations.add(carriers[nearest[i]], &x[i], &y[i], j - i, 0, centreY, scale);
-      i = j;
-    }
-    if (kept != nullptr) *kept = equations;
+  [[nodiscard]] Pass stepPose(const NormalEquations& equations, Transform2& pose) const {
     Eigen::Vector3d step;
     if (!equations.solve(step)) return {};
     const Transform2 turn{0, 0, step.z()};
     const Point2 centre(0, centreY);
-    const Point2 moved =
-        turn * Point2(sectionFromWorld.xMm, sectionFromWorld.yMm - centreY) + centre + Point2(step.x(), step.y());
-    sectionFromWorld = {moved.x(), moved.y(), sectionFromWorld.angleRad + step.z()};
+    const Point2 moved = turn * Point2(pose.xMm, pose.yMm - centreY) + centre + Point2(step.x(), step.y());
+    pose = {moved.x(), moved.y(), pose.angleRad + step.z()};
     return {std::abs(step.x()) + std::abs(step.y()) + std::abs(step.z()) * centreY,
             std::sqrt(equations.weightedSquares / equations.weight)};
   }
 
-  void moveIntoSection(const double* px, const double* py, std::size_t n, const Transform2& t) {
-    const double c = std::cos(t.angleRad), s = std::sin(t.angleRad);
+  void take(std::span<const ProfilePoint> points) {
+    const std::size_t n = points.size(), room = std::max(n, 2 * kCoarsePoints) + kSlack;
+    if (rawX.size() < room) {
+      for (auto* v : {&rawX, &rawY, &rawSigma, &x, &y, &sigma, &residual, &coarseX, &coarseY}) v->resize(room);
+      // What lies beyond the points is read, but nothing comes of it.
+      cells.resize(room);
+      home.resize(room);
+      order.resize(room);
+    }
+    anchor = anchorOf(points);
     for (std::size_t i = 0; i < n; ++i) {
-      x[i] = c * px[i] - s * py[i] + t.xMm;
-      y[i] = s * px[i] + c * py[i] + t.yMm;
+      const double px = points[i].x - anchor.x(), py = points[i].y - anchor.y();
+      const bool near = std::abs(px) < kFarMm && std::abs(py) < kFarMm;  // not if it is no number either
+      rawX[i] = static_cast<float>(near ? px : kFarMm);
+      rawY[i] = static_cast<float>(near ? py : kFarMm);
+      rawSigma[i] = points[i].sigmaMm > 0 ? points[i].sigmaMm : kFallbackSigmaMm;
+    }
+    const std::size_t stride = std::max<std::size_t>(1, n / kCoarsePoints);
+    coarse = 0;
+    for (std::size_t i = stride / 2; i < n; i += stride, ++coarse) {
+      coarseX[coarse] = rawX[i];
+      coarseY[coarse] = rawY[i];
     }
   }
 
-  /// Looks the nearest primitive of every point up and lays the points out primitive by primitive, whatever their order
-  /// and however many strays break it: one run, and one loop without branches, for each primitive.
-  void sortByPrimitive(std::size_t n, const Transform2& sectionFromWorld) {
-    moveIntoSection(rawX.data(), rawY.data(), n, sectionFromWorld);
-    bucketEnd.assign(carriers.size() + 1, 0);
+  /// A place among the points, whatever a few of them say. Any will do: it only keeps numbers small.
+  static Point2 anchorOf(std::span<const ProfilePoint> points) {
+    std::array<double, 15> px{}, py{};
+    for (std::size_t k = 0; k < px.size(); ++k) {
+      const ProfilePoint& p = points[k * (points.size() - 1) / (px.size() - 1)];
+      px[k] = std::isfinite(p.x) ? p.x : kFarMm;
+      py[k] = std::isfinite(p.y) ? p.y : kFarMm;
+    }
+    for (auto* v : {&px, &py}) std::nth_element(v->begin(), v->begin() + v->size() / 2, v->end());
+    const Point2 middle(px[px.size() / 2], py[py.size() / 2]);
+    return middle.cwiseAbs().maxCoeff() < kFarMm ? middle : Point2(0, 0);
+  }
+
+  /// Lays the points out primitive by primitive, whatever their order and however many strays break it: one run, and
+  /// one loop without branches, for each primitive. Points far from the outline come last and belong to no run.
+  void sortByPrimitive(std::size_t n, const Transform2& pose) {
+    const Motion m = motionOf(pose);
+    locate(pointsOf(rawX, rawY, n), m, grid.frame(), cells.data());
+    bucketEnd.assign(carriers.size() + 2, 0);
     for (std::size_t i = 0; i < n; ++i) {
-      found[i] = grid.nearest(x[i], y[i]);
-      ++bucketEnd[found[i] + 1U];
+      home[i] = grid.within(cells[i], m.cosine * rawX[i] - m.sine * rawY[i] + m.x,
+                            m.sine * rawX[i] + m.cosine * rawY[i] + m.y);
+      ++bucketEnd[home[i] + 1U];
     }
     for (std::size_t k = 1; k < bucketEnd.size(); ++k) bucketEnd[k] += bucketEnd[k - 1];
-    for (std::size_t i = 0; i < n; ++i) {  // afterwards bucketEnd[k] is one past the last point of primitive k
-      const std::uint32_t at = bucketEnd[found[i]]++;
+    runs.clear();
+    for (std::uint32_t k = 0; k < carriers.size(); ++k)
+      if (bucketEnd[k] < bucketEnd[k + 1]) runs.push_back({k, bucketEnd[k], bucketEnd[k + 1]});
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t at = bucketEnd[home[i]]++;
       order[at] = static_cast<std::uint32_t>(i);
-      nearest[at] = found[i];
-      sortedX[at] = rawX[i];
-      sortedY[at] = rawY[i];
+      x[at] = rawX[i];
+      y[at] = rawY[i];
+      sigma[at] = rawSigma[i];
     }
   }
 
-  void take(std::span<const ProfilePoint> points) {
-    const std::size_t n = points.size();
-    if (n > rawX.size())
-      for (auto* v : {&rawX, &rawY, &x, &y, &sortedX, &sortedY}) v->resize(n);
-    const std::size_t room = std::max({n, nearest.size(), 2 * kMiddlePoints});
-    nearest.resize(room);
-    found.resize(room);
-    order.resize(room);
-    for (auto* v : {&x, &y}) v->resize(room);
-    for (std::size_t i = 0; i < n; ++i) {
-      const bool finite = std::isfinite(points[i].x) && std::isfinite(points[i].y);
-      rawX[i] = finite ? points[i].x : kFarMm;
-      rawY[i] = finite ? points[i].y : kFarMm;
-    }
-    thin(n, kCoarsePoints, coarseX, coarseY);
-    thin(n, kMiddlePoints, middleX, middleY);
-  }
-
-  void thin(std::size_t n, std::size_t wanted, std::vector<double>& tx, std::vector<double>& ty) const {
-    tx.clear();
-    ty.clear();
-    const std::size_t stride = std::max<std::size_t>(1, n / wanted);
-    for (std::size_t i = stride / 2; i < n; i += stride) {
-      tx.push_back(rawX[i]);
-      ty.push_back(rawY[i]);
-    }
-  }
-
-  /// Tukey's scale shrinks as the subset settles; returns the rounds it took, 0 if nothing was determined.
-  int settleCoarsely(Transform2& pose, double scale, double& rms) {
-    int round = 0;
-    while (round < kCoarseRounds) {
-      const Pass p = pass(coarseX.data(), coarseY.data(), coarseX.size(), pose, scale, true);
-      ++round;
-      if (p.step < 0) return 0;
-      rms = p.rms;
-      if (p.step < 0.03 && scale <= 2) break;
-      const double shrunk = p.step < 0.03 ? 0.3 * scale : std::min(0.7 * scale, std::max(7 * p.rms, 0.4 * scale));
-      scale = std::max(1.0, shrunk);
-    }
-    return round;
-  }
-
-  /// How badly the subset fits: 0 all on the outline, 1 all further than kNearMm.
-  double coarseCost(const Transform2& pose) {
-    const std::size_t n = coarseX.size();
-    moveIntoSection(coarseX.data(), coarseY.data(), n, pose);
-    double cost = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double d2 = carriers[grid.nearest(x[i], y[i])].squaredDistance(x[i], y[i]);
-      cost += std::min(1.0, d2 / (kNearMm * kNearMm));
-    }
-    return cost / static_cast<double>(n);
-  }
-
-  Extent extentOf(const std::vector<double>& values) {
-    sorted = values;
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t cut = sorted.size() / 32;  // a few strays must not say how large the rail is
-    return {sorted[cut], sorted[sorted.size() - 1 - cut]};
+  Pass passOverAll(std::size_t n, Transform2& pose, double scale, NormalEquations& equations) const {
+    equations = {};
+    sumRuns(pointsOf(x, y, n), motionOf(pose), flat.data(), runs, tukey(scale), equations);
+    return stepPose(equations, pose);
   }
 
   struct Start {
     Transform2 pose;
-    double cost = 2, rms = 0;
+    double cost = 2;  ///< how badly the subset fits: 0 all on the outline, 1 all further than 1 mm
+    double rms = 0;
     int rounds = 0;
   };
+
+  /// Tukey's scale shrinks as the subset settles.
   void tryStart(const Transform2& from, double scale, Start& best) {
     Start candidate{from};
-    candidate.rounds = settleCoarsely(candidate.pose, scale, candidate.rms);
-    if (candidate.rounds == 0) return;
-    candidate.cost = coarseCost(candidate.pose);
+    const Points points = pointsOf(coarseX, coarseY, coarse);
+    for (bool settled = false; !settled && candidate.rounds < kCoarseRounds; ++candidate.rounds) {
+      const Motion motion = motionOf(candidate.pose);
+      locate(points, motion, grid.frame(), cells.data());
+      for (std::size_t i = 0; i < coarse; ++i) cells[i] = grid.roughly(cells[i]);
+      NormalEquations equations;
+      candidate.cost = sumScattered(points, motion, flat.data(), cells.data(), tukey(scale), equations) /
+                       static_cast<double>(coarse);
+      const Pass p = stepPose(equations, candidate.pose);
+      if (p.step < 0) return;
+      candidate.rms = p.rms;
+      settled = p.step < 0.03 && scale <= 2;
+      const double shrunk = p.step < 0.03 ? 0.3 * scale : std::min(0.7 * scale, std::max(7 * p.rms, 0.4 * scale));
+      scale = std::max(1.0, shrunk);
+    }
     if (candidate.cost < best.cost) best = candidate;
+  }
+
+  Extent extentOf(const std::vector<float>& values) {
+    sorted.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(coarse));
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t cut = sorted.size() / 32;  // a few strays must not say how large the rail is
+    return {static_cast<double>(sorted[cut]), static_cast<double>(sorted[sorted.size() - 1 - cut])};
   }
 
   /// The data laid onto the section by their extents: as a whole, as a head, as a foot, by one side only.
@@ -203,57 +204,46 @@ struct Registrar::Impl {
   }
 
   Start findStart(const std::optional<Transform2>& given) {
+    const Transform2 worldFromAnchor{anchor.x(), anchor.y(), 0};
     Start best;
-    tryStart(given ? given->inverse() : Transform2{}, given ? settings.trackScaleMm : settings.startScaleMm, best);
+    tryStart((given ? given->inverse() : Transform2{}) * worldFromAnchor,
+             given ? settings.trackScaleMm : settings.startScaleMm, best);
     if (1 - best.cost < kGoodShare) {
-      if (given) tryStart({}, settings.startScaleMm, best);
+      if (given) tryStart(worldFromAnchor, settings.startScaleMm, best);
       tryExtents(best);
     }
     return best;
   }
 
-  void evaluate(std::span<const ProfilePoint> points, const Transform2& pose, Registration& r) {
-    const std::size_t n = points.size();
-    moveIntoSection(sortedX.data(), sortedY.data(), n, pose);
-    double squares = 0, chi2 = 0, assignedSquares = 0, variance = 0;
-    int near = 0, assigned = 0;
-    for (std::size_t k = 0, i = 0; k < carriers.size(); ++k) {
-      PrimitiveResidual& p = r.primitives[k];
-      for (; i < bucketEnd[k]; ++i) {
-        const double d = carriers[k].residual(x[i], y[i]), distance = std::abs(d), d2 = d * d;
-        const std::uint32_t point = order[i];
-        r.residualMm[point] = static_cast<float>(d);
-        if (distance > settings.assignMm) continue;  // stays -1
-        r.primitiveOfPoint[point] = static_cast<std::int16_t>(k);
-        const float given = points[point].sigmaMm;
-        const double sigma = given > 0 ? given : kFallbackSigmaMm, c = d2 / (sigma * sigma);
-        ++assigned;
-        assignedSquares += d2;
-        ++p.points;
-        p.meanMm += d;
-        p.rmsMm += d2;
-        p.chi2 += c;
-        if (distance < kNearMm) {
-          ++near;
-          chi2 += c;
-        }
-        if (distance < std::max(3 * sigma, settings.inlierMm)) {
-          ++r.inliers;
-          squares += d2;
-          variance += sigma * sigma;
-        }
+  void evaluate(std::size_t n, const Transform2& pose, Registration& r) {
+    const Motion motion = motionOf(pose);
+    const auto narrow = [](double value) { return static_cast<float>(value); };
+    const ResidualLimits limits{narrow(settings.assignMm), narrow(settings.inlierMm), narrow(kNearMm)};
+    RunResiduals all;
+    for (const Run& run : runs) {
+      const RunResiduals of =
+          residualsOf(pointsOf(x, y, n), sigma.data(), motion, flat[run.primitive], run, limits, residual.data());
+      for (std::uint32_t i = run.from; i < run.to; ++i) {
+        if (std::abs(residual[i]) > limits.assignMm) continue;  // stays -1
+        r.residualMm[order[i]] = residual[i];
+        r.primitiveOfPoint[order[i]] = static_cast<std::int16_t>(run.primitive);
       }
+      if (of.assigned > 0)
+        r.primitives[run.primitive] = {static_cast<int>(of.assigned), std::sqrt(of.squares / of.assigned),
+                                       of.sum / of.assigned, of.chi2 / of.assigned};
+      all.assigned += of.assigned;
+      all.squares += of.squares;
+      all.near += of.near;
+      all.nearChi2 += of.nearChi2;
+      all.inliers += of.inliers;
+      all.inlierSquares += of.inlierSquares;
+      all.inlierVariance += of.inlierVariance;
     }
-    for (PrimitiveResidual& p : r.primitives) {
-      if (p.points == 0) continue;
-      p.meanMm /= p.points;
-      p.rmsMm = std::sqrt(p.rmsMm / p.points);
-      p.chi2 /= p.points;
-    }
-    r.rmsMm = r.inliers > 0 ? std::sqrt(squares / r.inliers) : 0;
-    r.chi2 = near > 0 ? chi2 / near : 0;
-    assignedRms = assigned > 0 ? std::sqrt(assignedSquares / assigned) : settings.assignMm;
-    meanVariance = r.inliers > 0 ? variance / r.inliers : 0;
+    r.inliers = static_cast<int>(all.inliers);
+    r.rmsMm = all.inliers > 0 ? std::sqrt(all.inlierSquares / all.inliers) : 0;
+    r.chi2 = all.near > 0 ? all.nearChi2 / all.near : 0;
+    assignedRms = all.assigned > 0 ? std::sqrt(all.squares / all.assigned) : settings.assignMm;
+    meanVariance = all.inliers > 0 ? all.inlierVariance / all.inliers : 0;
   }
 
   void judge(Registration& r) const {
@@ -269,6 +259,7 @@ struct Registrar::Impl {
   static void clear(Registration& r, std::size_t points, std::size_t primitives) {
     r.valid = false;
     r.reason.clear();
+    r.looksLike.reset();
     r.worldFromSection = {};
     r.covariance.setZero();
     r.rmsMm = r.chi2 = r.timeUs = 0;
@@ -282,32 +273,50 @@ struct Registrar::Impl {
   void run(std::span<const ProfilePoint> points, Registration& r, const std::optional<Transform2>& start,
            double correlatedPoints) {
     const auto began = std::chrono::steady_clock::now();
+    if (!begin(points, r)) return;
+    settle(findStart(start), correlatedPoints, r);
+    r.timeUs = microsecondsSince(began);
+  }
+
+  void runFrom(const Transform2& start, double scaleMm, std::span<const ProfilePoint> points, Registration& r) {
+    const auto began = std::chrono::steady_clock::now();
+    if (!begin(points, r)) return;
+    Start best;
+    tryStart(start.inverse() * Transform2{anchor.x(), anchor.y(), 0}, scaleMm, best);
+    if (1 - best.cost < kGoodShare) best.rounds = 0;
+    settle(best, 1, r);
+    r.timeUs = microsecondsSince(began);
+  }
+
+  bool begin(std::span<const ProfilePoint> points, Registration& r) {
     clear(r, points.size(), carriers.size());
     if (points.size() < kMinPoints) {
       r.reason =
           "only " + std::to_string(points.size()) + " points, at least " + std::to_string(kMinPoints) + " are needed";
-      return;
+      return false;
     }
     take(points);
-    const Start best = findStart(start);
+    return true;
+  }
+
+  void settle(const Start& best, double correlatedPoints, Registration& r) {
     if (best.rounds == 0) {
       r.reason = "no point is near the outline of " + name;
       return;
     }
+    const auto n = static_cast<std::size_t>(r.points);
     Transform2 pose = best.pose;
-    double scale = std::clamp(6 * best.rms, 0.15, 1.0);
+    sortByPrimitive(n, pose);
     NormalEquations equations;
-    if (const Pass p = pass(middleX.data(), middleY.data(), middleX.size(), pose, scale, true); p.step >= 0)
-      scale = std::clamp(6 * p.rms, 0.15, scale);
-    sortByPrimitive(points.size(), pose);
-    pass(sortedX.data(), sortedY.data(), points.size(), pose, scale, false, &equations);
+    double scale = std::clamp(6 * best.rms, 0.15, 1.0);
+    if (const Pass p = passOverAll(n, pose, scale, equations); p.step >= 0) scale = std::clamp(6 * p.rms, 0.15, scale);
+    passOverAll(n, pose, scale, equations);
     r.iterations = best.rounds + 2;
-    evaluate(points, pose, r);
-    r.worldFromSection = pose.inverse();
+    evaluate(n, pose, r);
+    r.worldFromSection = Transform2{anchor.x(), anchor.y(), 0} * pose.inverse();
     r.worldFromSection.angleRad = std::remainder(r.worldFromSection.angleRad, 2 * 3.14159265358979323846);
     judge(r);
     propagate(equations, correlatedPoints, r);
-    r.timeUs = microsecondsSince(began);
   }
 
   void propagate(const NormalEquations& equations, double correlatedPoints, Registration& r) const {
@@ -329,12 +338,18 @@ struct Registrar::Impl {
   RegistrationSettings settings;
   std::string name;
   std::vector<Carrier> carriers;
+  std::vector<FlatCarrier> flat;
   CandidateGrid grid;
   double centreY = 0;
   Extent outlineX, outlineY, headX;
-  std::vector<double> rawX, rawY, x, y, sortedX, sortedY, coarseX, coarseY, middleX, middleY, sorted;
-  std::vector<std::uint16_t> nearest, found;
+  // Of the profile in hand. Points as they came, relative to the anchor; a few of them; and primitive by primitive.
+  Point2 anchor{0, 0};
+  std::vector<float> rawX, rawY, rawSigma, coarseX, coarseY, x, y, sigma, residual, sorted;
+  std::size_t coarse = 0;
+  std::vector<std::int32_t> cells;
+  std::vector<std::uint16_t> home;
   std::vector<std::uint32_t> order, bucketEnd;
+  std::vector<Run> runs;
   double assignedRms = 0, meanVariance = 0;
 };
 
@@ -347,6 +362,10 @@ Registrar& Registrar::operator=(Registrar&&) noexcept = default;
 void Registrar::registerProfile(std::span<const ProfilePoint> points, Registration& result,
                                 const std::optional<Transform2>& start, double correlatedPoints) {
   impl_->run(points, result, start, correlatedPoints);
+}
+void Registrar::registerFrom(const Transform2& start, double scaleMm, std::span<const ProfilePoint> points,
+                             Registration& result) {
+  impl_->runFrom(start, scaleMm, points, result);
 }
 
 }  // namespace vignole

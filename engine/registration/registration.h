@@ -32,6 +32,13 @@ struct PrimitiveResidual {
   double chi2 = 0;  ///< per point
 };
 
+/// A section that explains a profile where the expected one does not.
+struct OtherSection {
+  std::string name;
+  double chi2 = 0, chi2OfExpected = 0;   ///< ShapeMisfit: per place, smooth deviations allowed for
+  std::vector<std::int16_t> primitives;  ///< of the expected section: those that differ
+};
+
 struct Registration {
   bool valid = false;
   std::string reason;                                    ///< why not valid
@@ -46,6 +53,7 @@ struct Registration {
   std::vector<std::int16_t> primitiveOfPoint;  ///< index into Section::primitives, -1 outlier
   std::vector<float> residualMm;               ///< signed, > 0 outside the section
   std::vector<PrimitiveResidual> primitives;   ///< one per primitive of the section
+  std::optional<OtherSection> looksLike;       ///< RailMatcher::check; then it is not valid
 };
 
 /// One per thread and section. Same points, same bits.
@@ -60,6 +68,10 @@ class Registrar {
   /// `correlatedPoints`: Profile::correlatedPoints, widens the covariance.
   void registerProfile(std::span<const ProfilePoint> points, Registration& result,
                        const std::optional<Transform2>& start = {}, double correlatedPoints = 1);
+  /// From this start or not at all: a quarter of the time where the section does not fit. `scaleMm`: how far off the
+  /// start may leave the points.
+  void registerFrom(const Transform2& start, double scaleMm, std::span<const ProfilePoint> points,
+                    Registration& result);
 
  private:
   struct Impl;
@@ -69,14 +81,6 @@ class Registrar {
 /// How well a registered profile fits: mean over all points of min(distance, 1 mm)^2 / sigma^2, so that points which a
 /// wrong rail leaves far away count against it. 1 on the right rail without outliers.
 [[nodiscard]] double chi2OfAllPoints(std::span<const ProfilePoint> points, const Registration& registration);
-
-struct RailMatch {
-  std::string rail;
-  double chi2 = 0;  ///< chi2OfAllPoints at the best pose
-};
-/// Best first. Points as for registerProfile.
-[[nodiscard]] std::vector<RailMatch> bestMatch(std::span<const ProfilePoint> points, std::span<const Section> sections,
-                                               const RegistrationSettings& settings = {});
 
 /// Which way the axes of a record run.
 struct AxisFlip {

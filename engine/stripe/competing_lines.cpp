@@ -1,6 +1,7 @@
 #include "engine/stripe/competing_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vignole {
@@ -25,6 +26,16 @@ bool inside(std::span<const PixelPosition> convex, float x, float y) {
     right = right && side <= 0;
   }
   return left || right;
+}
+
+/// Median over a few places, px^2.
+float widthOf(const LinePoints& points, const LineRange& range) {
+  std::array<float, kSamples> widths{};
+  const std::uint32_t samples = std::min(kSamples, range.count);
+  for (std::uint32_t k = 0; k < samples; ++k) widths.at(k) = points.s2[sampleOf(range, k)];
+  const auto middle = widths.begin() + samples / 2;
+  std::nth_element(widths.begin(), middle, widths.begin() + samples);
+  return *middle;
 }
 
 bool mostlyOutside(const LinePoints& points, const LineRange& range, std::span<const PixelPosition> field) {
@@ -109,11 +120,26 @@ Rejection Competition::against(const LinePoints& points, const LineRange& doubtf
   return shorter && static_cast<float>(broad) >= needed ? Rejection::Broader : Rejection::None;
 }
 
+void Competition::rejectSpots(const LinePoints& points, std::span<Competitor> lines,
+                              const CompetitionSettings& settings) {
+  const auto longest = std::max_element(lines.begin(), lines.end(), [](const Competitor& a, const Competitor& b) {
+    return a.range.count < b.range.count;
+  });
+  const float usual = widthOf(points, longest->range), broad = settings.spotBroadness * settings.spotBroadness * usual;
+  for (Competitor& line : lines) {
+    const bool shorter =
+        static_cast<float>(line.range.count) <= settings.spotLength * static_cast<float>(longest->range.count);
+    if (shorter && line.rejection == Rejection::None && widthOf(points, line.range) > broad)
+      line.rejection = Rejection::Spot;
+  }
+}
+
 void Competition::judge(const LinePoints& points, std::span<Competitor> lines, std::span<const PixelPosition> field,
                         const CompetitionSettings& settings) {
   for (Competitor& line : lines)
     if (mostlyOutside(points, line.range, field)) line.rejection = Rejection::OutOfField;
   if (lines.size() < 2 || lines.size() > kMostLines) return;
+  rejectSpots(points, lines, settings);
   boxes_.clear();
   ofLine_.clear();
   for (const Competitor& line : lines) enclose(points, line.range);

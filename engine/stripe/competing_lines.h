@@ -18,6 +18,8 @@ struct CompetitionSettings {
   float weakShare = 0.35F;       ///< weaker than this share of its contrast, ...
   float broadShare = 0.6F;       ///< ... or than this, if it is
   float broadness = 1.3F;        ///< so many times as broad
+  float spotBroadness = 2;       ///< a spot is so many times as broad as the longest line
+  float spotLength = 0.35F;      ///< and at most this share as long
   float continuity = 0.7F;       ///< and at most this share as long: of two lines the one without breaks is the line's
 };
 
@@ -50,6 +52,8 @@ class Competition {
                                     float y, float limitPx) const;
   [[nodiscard]] Rejection against(const LinePoints& points, const LineRange& doubtful, const LineRange& line,
                                   const BoxesOfLine& boxes, const CompetitionSettings& settings) const;
+
+  static void rejectSpots(const LinePoints& points, std::span<Competitor> lines, const CompetitionSettings& settings);
 
   std::vector<Box> boxes_;  // of a few points each, line by line
   std::vector<BoxesOfLine> ofLine_;

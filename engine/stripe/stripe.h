@@ -38,6 +38,7 @@ enum class Rejection : std::uint8_t {
   None,
   Weaker,     ///< much weaker beside a line that it follows
   Broader,    ///< weaker, broader and shorter beside a line that it follows
+  Spot,       ///< many times as broad as the frame's longest line and short beside it: a reflection's blob
   OutOfField  ///< where the light plane cannot be seen
 };
 /// In a few words; "" for None.

@@ -63,6 +63,8 @@ const char* reasonOf(Rejection rejection) {
       return "a ghost: much weaker than the line beside it";
     case Rejection::Broader:
       return "a ghost: weaker, broader and shorter than the line beside it";
+    case Rejection::Spot:
+      return "a spot of light: many times as broad as the line";
     case Rejection::OutOfField:
       return "where the light plane cannot be seen";
     case Rejection::None:

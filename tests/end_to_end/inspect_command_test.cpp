@@ -144,17 +144,24 @@ TEST(InspectCommand, TheCalibrationOfAnotherRigIsRefusedItsOwnGivesTheSameNumber
   EXPECT_EQ(lines(other.err), 1U) << other.err;
 }
 
-TEST(InspectCommand, AnotherRailThanTheRecipesIsNamed) {
-  for (const char* rail : {"54E1", "60E2"}) {
-    const ProgramResult result =
-        run({"inspect", "--length", "0.1", "--fault", std::string("wrong-rail=") + rail, "--json", "-"});
+TEST(InspectCommand, AnotherRailThanTheRecipesIsNamedAndNotMeasured) {
+  for (const std::string rail : {"54E1", "60E2"}) {
+    const ProgramResult result = run({"inspect", "--length", "0.1", "--fault", "wrong-rail=" + rail, "--json", "-"});
+    EXPECT_EQ(result.exitCode, 1) << result.err;
     const json document = json::parse(result.out);
     ASSERT_TRUE(document["rails"][0].contains("looks_like")) << rail;
     EXPECT_EQ(document["rails"][0]["looks_like"]["section"], rail);
+    EXPECT_EQ(document["rails"][0]["verdict"], "not measured");
+    EXPECT_EQ(document["triggers"]["incomplete"], 6);
+    EXPECT_EQ(document["triggers"]["reasons"]["wrong section: looks like " + rail], 6);
+    for (const json& dimension : document["rails"][0]["dimensions"]) EXPECT_TRUE(dimension["mean_mm"].is_null());
   }
   // A defect of the right rail is no other rail.
-  const ProgramResult defect = run({"inspect", "--length", "0.1", "--deviation", "HW=0.8", "--json", "-"});
-  EXPECT_FALSE(json::parse(defect.out)["rails"][0].contains("looks_like"));
+  for (const char* deviation : {"HW=0.8", "RH=1", "RH=-2", "FW=1"}) {
+    const json document = json::parse(run({"inspect", "--length", "0.1", "--deviation", deviation, "--json", "-"}).out);
+    EXPECT_FALSE(document["rails"][0].contains("looks_like")) << deviation;
+    EXPECT_EQ(document["triggers"]["measured"], 6) << deviation;
+  }
 }
 
 TEST(InspectCommand, CamerasThatSeeNothingAreTheWorldsFault) {
@@ -243,8 +250,12 @@ TEST(BenchCommand, GivesTheNamesAndUnitsOfTheContract) {
     EXPECT_LE(r["median"], r["p99"]);
   }
   const std::map<std::string, std::string> contract = {
-      {"extract.cold", "ms"},   {"extract.hot", "ms"}, {"extract.read", "ms"},      {"translate", "ms"},
-      {"simulate.frame", "ms"}, {"register", "us"},    {"register.outliers", "us"}, {"measure", "us"}};
+      {"extract.cold", "ms"},         {"extract.hot", "ms"},
+      {"extract.read", "ms"},         {"translate", "ms"},
+      {"simulate.frame", "ms"},       {"register", "us"},
+      {"register.outliers", "us"},    {"measure", "us"},
+      {"register.search.grid", "us"}, {"register.search.rtree", "us"},
+      {"register.search.all", "us"},  {"register.search.cached", "us"}};
   for (const auto& [name, unit] : contract) EXPECT_EQ(units[name], unit) << name;
   expectOneLineError(run({"bench", "extract", "--threads", "1000"}), 2, "--threads");
 }

@@ -149,6 +149,23 @@ TEST(Pipeline, AProfileThatCannotBeRegisteredIsIncomplete) {
   EXPECT_EQ(pipeline.triggers().reasons.at("not registered: rms"), 1U);
 }
 
+TEST(Pipeline, AProfileOfAnotherSectionIsIncompleteAndNamesIt) {
+  ScriptedSource source(wholeRail(0, 10));
+  PipelineWork work = simpleWork();
+  work.measure = [](const RailBegin&, const Profile& profile, Registration& registration, Measurement&) {
+    registration.valid = profile.trigger % 5 != 4;
+    registration.looksLike.reset();
+    if (!registration.valid) registration.looksLike = OtherSection{"60E2", 0.4, 3, {}};
+  };
+  Told told;
+  Pipeline pipeline(source, work, told.observer(), {});
+  pipeline.start();
+  pipeline.wait();
+  EXPECT_EQ(pipeline.triggers().measured, 8U);
+  EXPECT_EQ(pipeline.triggers().incomplete, 2U);
+  EXPECT_EQ(pipeline.triggers().reasons.at("wrong section: looks like 60E2"), 2U);
+}
+
 TEST(Pipeline, WorkThatThrowsLosesItsFrameAndNothingElse) {
   ScriptedSource source(wholeRail(0, 10));
   PipelineWork work = simpleWork();

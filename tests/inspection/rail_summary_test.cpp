@@ -136,6 +136,32 @@ TEST_F(RailSummaryTest, TheRailsVerdictIsTheWorstAndUnmeasuredIsNoPass) {
   EXPECT_EQ(summarise({0.0}).verdict, Verdict::NoLimit);
 }
 
+TEST_F(RailSummaryTest, ARailOfAnotherSectionIsNamedIfHalfOfItSaysSo) {
+  recipe.limits[index(Dimension::HF)] = {};
+  recipe.limits[index(Dimension::FC)] = {};
+  for (const std::uint64_t others : {3U, 4U, 5U}) {
+    RailSummariser summariser(rail, recipe, "cal");
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const bool other = i < others;
+      ProfileResult r = profile(i, other ? std::nullopt : std::optional(0.0));
+      if (other) {
+        r.registration.valid = false;
+        r.registration.reason = "wrong section: looks like 60E2";
+        r.registration.looksLike = OtherSection{"60E2", 0.4, i % 2 == 0 ? 3.0 : 5.0, {}};
+      }
+      summariser.add(r);
+    }
+    const RailSummary summary = summariser.summary({});
+    EXPECT_EQ(rh(summary).reason, "wrong section: looks like 60E2");
+    EXPECT_EQ(summary.looksLike.has_value(), others >= 4);
+    EXPECT_EQ(summary.verdict, others >= 4 ? Verdict::NotMeasured : Verdict::Pass);
+    if (others != 4) continue;
+    EXPECT_EQ(summary.looksLike->section, "60E2");
+    EXPECT_EQ(summary.looksLike->profiles, 4U);
+    EXPECT_NEAR(summary.looksLike->chi2OfRecipe, 4, 1e-12);
+  }
+}
+
 TEST_F(RailSummaryTest, HeadFormBelowItsLowerLimitIsToldByItsSmallestDeviation) {
   RailSummariser summariser(rail, recipe, "cal");
   for (std::uint64_t i = 0; i < 3; ++i) {

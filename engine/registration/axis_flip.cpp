@@ -33,19 +33,6 @@ double chi2OfAllPoints(std::span<const ProfilePoint> points, const Registration&
   return sum / static_cast<double>(points.size());
 }
 
-std::vector<RailMatch> bestMatch(std::span<const ProfilePoint> points, std::span<const Section> sections,
-                                 const RegistrationSettings& settings) {
-  std::vector<RailMatch> matches;
-  Registration registration;
-  for (const Section& section : sections) {
-    Registrar(section, settings).registerProfile(points, registration);
-    matches.push_back({section.name, chi2OfAllPoints(points, registration)});
-  }
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const RailMatch& a, const RailMatch& b) { return a.chi2 < b.chi2; });
-  return matches;
-}
-
 AxisFlip registerEitherWay(std::vector<ProfilePoint>& points, const Section& section, Registrar& registrar,
                            Registration& result) {
   registrar.registerProfile(points, result);
