@@ -1,0 +1,103 @@
+#pragma once
+// Rounds of weighting and solving that the fits share: soft weights on some of the points until the steps are small,
+// then a hard cut on all of them.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "engine/measurement/fit_sums.h"
+#include "engine/measurement/normal_factor.h"
+#include "engine/profile/profile.h"
+
+namespace vignole {
+
+/// How well the points of each camera lie on a fit: sum of (residual / sigma)^2 over the points that were kept.
+struct FitScatter {
+  std::array<double, kCameraCount> chi2{};
+  std::array<double, kCameraCount> points{};
+  [[nodiscard]] double total() const {
+    double n = 0;
+    for (const double p : points) n += p;
+    return n;
+  }
+  [[nodiscard]] double sum() const {
+    double s = 0;
+    for (const double c : chi2) s += c;
+    return s;
+  }
+};
+
+/// Unknowns of a fit, and their normal equations for independent points of the given sigmas.
+struct FitSolution {
+  bool valid = false;
+  std::size_t unknowns = 0;
+  NormalFactor factor;
+  FitScatter scatter;
+  double meanSquareMm2 = 0;  ///< of the residuals of the points that were kept
+};
+
+class RobustRounds {
+ public:
+  /// residual(points, i): of one point, mm. round(points, weighting): its step in mm, negative if it failed.
+  template <typename Residual, typename Round>
+  bool run(const FitPoints& points, Residual residual, Round round) {
+    choose(points);
+    double scale = scaleOf(residual);
+    for (int i = 0; i < kSoftRounds; ++i) {
+      const double step = round(subset_, Weighting{kTukey * scale * kTukey * scale, false});
+      if (!(step >= 0)) return false;
+      scale = scaleOf(residual);
+      if (step < kSettledMm) break;
+    }
+    const Weighting hard{kHardCut * scale * kHardCut * scale, true};
+    for (int i = 0; i < kHardRounds; ++i) {
+      const double step = round(points, hard);
+      if (!(step >= 0)) return false;
+      if (step < kSettledMm) break;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double kTukey = 4.685;  // 95 % efficiency on normal errors
+  static constexpr double kHardCut = 4;    // standard deviations, in the last rounds
+  static constexpr int kSoftRounds = 6;
+  static constexpr int kHardRounds = 3;
+  static constexpr std::size_t kSoftPoints = 120;
+  static constexpr double kSettledMm = 2e-3;  // a step this small: on to the last rounds
+  static constexpr std::size_t kScaleSamples = 63;
+
+  void choose(const FitPoints& points) {
+    const std::size_t stride = std::max<std::size_t>(1, points.count / kSoftPoints);
+    subset_.resize(0);
+    for (std::size_t i = 0; i < points.count; i += stride) subset_.append(points, i);
+    subset_.runs.assign(1, {0, subset_.count, 0});
+  }
+  /// Of the residuals in standard uncertainties, at least 1; from their median.
+  template <typename Residual>
+  double scaleOf(Residual residual) {
+    squares_.clear();
+    const std::size_t stride = subset_.count / kScaleSamples + 1;
+    for (std::size_t i = stride / 2; i < subset_.count; i += stride) {
+      const double r = residual(subset_, i);
+      squares_.push_back(r * r * static_cast<double>(subset_.weight[i]));
+    }
+    if (squares_.empty()) return 1;
+    const auto middle = squares_.begin() + static_cast<std::ptrdiff_t>(squares_.size() / 2);
+    std::nth_element(squares_.begin(), middle, squares_.end());
+    return std::max(1.0, 1.4826 * std::sqrt(*middle));
+  }
+
+  FitPoints subset_;
+  std::vector<double> squares_;
+};
+
+/// Takes the sums of one camera's points into a scatter.
+inline void addTo(FitScatter& scatter, std::uint8_t camera, const ResidualSums& sums) {
+  scatter.chi2[camera] += sums.chi2;
+  scatter.points[camera] += sums.count;
+}
+
+}  // namespace vignole
