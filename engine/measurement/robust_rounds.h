@@ -44,11 +44,11 @@ class RobustRounds {
   template <typename Residual, typename Round>
   bool run(const FitPoints& points, Residual residual, Round round) {
     choose(points);
-    double scale = scaleOf(residual);
+    double scale = scaleOf(points, residual);
     for (int i = 0; i < kSoftRounds; ++i) {
       const double step = round(subset_, Weighting{kTukey * scale * kTukey * scale, false});
       if (!(step >= 0)) return false;
-      scale = scaleOf(residual);
+      scale = scaleOf(points, residual);
       if (step < kSettledMm) break;
     }
     const Weighting hard{kHardCut * scale * kHardCut * scale, true};
@@ -77,12 +77,12 @@ class RobustRounds {
   }
   /// Of the residuals in standard uncertainties, at least 1; from their median.
   template <typename Residual>
-  double scaleOf(Residual residual) {
+  double scaleOf(const FitPoints& points, Residual residual) {
     squares_.clear();
-    const std::size_t stride = subset_.count / kScaleSamples + 1;
-    for (std::size_t i = stride / 2; i < subset_.count; i += stride) {
-      const double r = residual(subset_, i);
-      squares_.push_back(r * r * static_cast<double>(subset_.weight[i]));
+    const std::size_t stride = points.count / kScaleSamples + 1;
+    for (std::size_t i = stride / 2; i < points.count; i += stride) {
+      const double r = residual(points, i);
+      squares_.push_back(r * r * static_cast<double>(points.weight[i]));
     }
     if (squares_.empty()) return 1;
     const auto middle = squares_.begin() + static_cast<std::ptrdiff_t>(squares_.size() / 2);
