@@ -133,11 +133,29 @@ void ChainFit::walk() {
     stretches_[k].to = stretches_[k + 1].from = across(pieces_[k < anchor ? k : k + 1].piece);
 }
 
-double ChainFit::residual(const FitPoints& points, std::size_t i) const {
-  const double x = static_cast<double>(points.x[i]), y = static_cast<double>(points.y[i]);
+std::size_t ChainFit::pieceAt(double x, double y) const {
   std::size_t k = first_;
   while (k < last_ && x * stretches_[k].to.x + y * stretches_[k].to.y > stretches_[k].to.at) ++k;
-  return distanceTo(pieces_[k].piece, x, y, static_cast<double>(points.pull[i]));
+  return k;
+}
+
+double ChainFit::residual(const FitPoints& points, std::size_t i) const {
+  const double x = static_cast<double>(points.x[i]), y = static_cast<double>(points.y[i]);
+  return distanceTo(pieces_[pieceAt(x, y)].piece, x, y, static_cast<double>(points.pull[i]));
+}
+
+/// Of the residual over its sigma with the unknowns, as for a point on the curve.
+UnknownVector ChainFit::slopes(const FitPoints& points, std::size_t i) const {
+  const double x = static_cast<double>(points.x[i]), y = static_cast<double>(points.y[i]);
+  const FittedPiece& f = pieces_[pieceAt(x, y)];
+  const double dx = x - f.piece.origin.x, dy = y - f.piece.origin.y, k = f.piece.curvature;
+  const double nx = -f.piece.tangent.y - k * dx, ny = f.piece.tangent.x - k * dy;
+  const double perSigma = std::sqrt(static_cast<double>(points.weight[i]));
+  const std::array<double, 4> frame = {-nx, -ny, nx * dy - ny * dx, -0.5 * (dx * dx + dy * dy)};
+  UnknownVector s{};
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t u = 0; u < solution_.unknowns; ++u) s[u] += perSigma * frame[p] * f.perUnknown[p][u];
+  return s;
 }
 
 double ChainFit::round(const FitPoints& points, const Weighting& weighting) {
@@ -168,8 +186,8 @@ double ChainFit::round(const FitPoints& points, const Weighting& weighting) {
   }
   if (all.count < static_cast<double>(n + 1)) return -1;
   solution_.meanSquareMm2 = all.squares / all.count;
-  if (!solution_.factor.decompose(a, n)) return -1;
-  const UnknownVector change = solution_.factor.solve(b);
+  if (!solution_.normal.decompose(a, n)) return -1;
+  const UnknownVector change = solution_.normal.solve(b);
   double size = 0;
   for (std::size_t i = 0; i < n; ++i) {
     state_[i] -= change[i];
@@ -180,13 +198,18 @@ double ChainFit::round(const FitPoints& points, const Weighting& weighting) {
   return std::abs(change[0]) + 10 * std::abs(change[1]);
 }
 
-void ChainFit::solve(const FitPoints& points, std::size_t first, std::size_t last) {
+void ChainFit::solve(const FitPoints& points, std::size_t first, std::size_t last, double correlatedPoints) {
   solution_ = {};
   layOut(first, last);
   walk();
   solution_.valid = rounds_.run(
       points, [&](const FitPoints& p, std::size_t i) { return residual(p, i); },
       [&](const FitPoints& p, const Weighting& weighting) { return round(p, weighting); });
+  if (!solution_.valid) return;
+  SharedErrors errors(solution_.unknowns, correlatedPoints);
+  for (const FitPoints::Run& run : points.runs)
+    errors.addRun(run.from, run.to, [&](std::size_t i) { return slopes(points, i); });
+  solution_.setShared(errors);
 }
 
 }  // namespace vignole

@@ -24,7 +24,7 @@ class ChainFit {
   /// Where the points of the fit have their origin, section frame.
   [[nodiscard]] const Vec& origin() const { return origin_; }
   /// Fits primitives `first` .. `last` of the plan (the anchor among them).
-  void solve(const FitPoints& points, std::size_t first, std::size_t last);
+  void solve(const FitPoints& points, std::size_t first, std::size_t last, double correlatedPoints);
   [[nodiscard]] const FitSolution& solution() const { return solution_; }
   /// After solve: primitive `k` of the plan in the frame of the points, its range between the breaks; the ends of the
   /// chain stand at the nominal ends.
@@ -35,7 +35,9 @@ class ChainFit {
   void walk();
   void step(std::size_t from, std::size_t to);
   double round(const FitPoints& points, const Weighting& weighting);
+  [[nodiscard]] std::size_t pieceAt(double x, double y) const;
   [[nodiscard]] double residual(const FitPoints& points, std::size_t i) const;
+  [[nodiscard]] UnknownVector slopes(const FitPoints& points, std::size_t i) const;
 
   ChainPlan plan_;
   Vec origin_;

@@ -21,8 +21,8 @@ double FootBottomFit::round(const FitPoints& points, const Weighting& weighting)
     b[i] = sums.vector[i];
     for (std::size_t j = 0; j <= i; ++j) a[i][j] = sums.powers[i + j];
   }
-  if (!solution_.factor.decompose(a, 3)) return -1;
-  const UnknownVector step = solution_.factor.solve(b);
+  if (!solution_.normal.decompose(a, 3)) return -1;
+  const UnknownVector step = solution_.normal.solve(b);
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     c_[i] += step[i];
@@ -31,7 +31,7 @@ double FootBottomFit::round(const FitPoints& points, const Weighting& weighting)
   return std::isfinite(size) ? size : -1;
 }
 
-void FootBottomFit::solve(const FitPoints& points) {
+void FootBottomFit::solve(const FitPoints& points, double correlatedPoints) {
   c_ = {};
   solution_ = {};
   solution_.unknowns = 3;
@@ -41,6 +41,15 @@ void FootBottomFit::solve(const FitPoints& points) {
   };
   solution_.valid = rounds_.run(points, residual,
                                 [&](const FitPoints& p, const Weighting& weighting) { return round(p, weighting); });
+  if (!solution_.valid) return;
+  SharedErrors errors(solution_.unknowns, correlatedPoints);
+  for (const FitPoints::Run& run : points.runs)
+    errors.addRun(run.from, run.to, [&](std::size_t i) -> UnknownVector {
+      const double u = static_cast<double>(points.x[i]) / kScaleMm,
+                   w = std::sqrt(static_cast<double>(points.weight[i]));
+      return {w, w * u, w * u * u};
+    });
+  solution_.setShared(errors);
 }
 
 }  // namespace vignole

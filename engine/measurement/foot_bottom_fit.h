@@ -9,7 +9,7 @@ namespace vignole {
 class FootBottomFit {
  public:
   /// Points in the section frame; their pull is left: what it does to so flat a curve is less than 0.1 micrometre.
-  void solve(const FitPoints& points);
+  void solve(const FitPoints& points, double correlatedPoints);
   [[nodiscard]] const FitSolution& solution() const { return solution_; }
   [[nodiscard]] Parabola parabola() const { return {c_[0], c_[1] / kScaleMm, c_[2] / (kScaleMm * kScaleMm)}; }
   /// Slopes with the three unknowns from slopes with the parabola's coefficients.

@@ -20,7 +20,8 @@ class NormalFactor {
       double d = a[j][j];
       for (std::size_t k = 0; k < j; ++k) d -= l_[j][k] * l_[j][k];
       if (!(d > kLeastPivot * a[j][j])) return false;
-      perPivot_[j] = 1 / std::sqrt(d);
+      l_[j][j] = std::sqrt(d);
+      perPivot_[j] = 1 / l_[j][j];
       for (std::size_t i = j + 1; i < n; ++i) {
         double s = a[i][j];
         for (std::size_t k = 0; k < j; ++k) s -= l_[i][k] * l_[j][k];
@@ -46,6 +47,9 @@ class NormalFactor {
     }
     return x;
   }
+
+  /// L of A = L L^T.
+  [[nodiscard]] const UnknownMatrix& lower() const { return l_; }
 
  private:
   static constexpr double kLeastPivot = 1e-13;  // of the diagonal: below, rounding is all there is

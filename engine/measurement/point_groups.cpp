@@ -12,9 +12,9 @@ constexpr double kSmoothJointPerMm = 0.01;
 // Coarse profiles (a point every 0.7 mm) leave too few points inside short primitives: they are trimmed less.
 constexpr std::array<double, 4> kTrimDegrees = {1, 0.5, 0.25, 0};
 
-int countFrom(const float* margins, std::size_t count, float least) {
-  int n = 0;
-  for (std::size_t i = 0; i < count; ++i) n += margins[i] >= least ? 1 : 0;
+std::size_t countFrom(const float* margins, std::size_t count, float least) {
+  unsigned n = 0;
+  for (std::size_t i = 0; i < count; ++i) n += margins[i] >= least ? 1U : 0U;
   return n;
 }
 
@@ -150,16 +150,23 @@ void PointGroups::chooseTrims() {
     bool enough = true;
     for (Coverage& c : coverage_)
       if (c.points < settings_.minPoints) c = {0, degree * settings_.trimMm, {}};
-    for (const Group& g : groups_)
-      for (const Stride& s : g.strides) {
+    for (Group& g : groups_)
+      for (Stride& s : g.strides) {
         Coverage& c = coverage_[s.primitive];
-        if (c.trimMm == degree * settings_.trimMm)
-          c.points += countFrom(g.marginMm.data() + s.from, s.to - s.from, static_cast<float>(c.trimMm));
+        if (c.trimMm != degree * settings_.trimMm) continue;
+        s.kept = countFrom(g.marginMm.data() + s.from, s.to - s.from, static_cast<float>(c.trimMm));
+        c.points += static_cast<int>(s.kept);
       }
     for (const Group& g : groups_)
       for (const Stride& s : g.strides) enough = enough && coverage_[s.primitive].points >= settings_.minPoints;
     if (enough) return;
   }
+}
+
+void PointGroups::move(Group& g, std::size_t from, std::size_t to, std::size_t count) {
+  if (from == to) return;
+  for (std::vector<float>* v : {&g.points.x, &g.points.y, &g.points.weight, &g.points.pull, &g.alongMm})
+    std::copy_n(v->data() + from, count, v->data() + to);  // downwards
 }
 
 const FitPoints& PointGroups::select(std::size_t fit, std::size_t first, std::size_t last) {
@@ -172,16 +179,18 @@ const FitPoints& PointGroups::select(std::size_t fit, std::size_t first, std::si
     if (place < first || place > last) continue;
     Coverage& c = coverage_[s.primitive];
     const auto trim = static_cast<float>(c.trimMm);
+    if (s.kept == 0) continue;
     const std::size_t start = kept;
-    for (std::size_t i = s.from; i < s.to; ++i) {
-      p.x[kept] = p.x[i];
-      p.y[kept] = p.y[i];
-      p.weight[kept] = p.weight[i];
-      p.pull[kept] = p.pull[i];
-      g.alongMm[kept] = g.alongMm[i];
-      kept += g.marginMm[i] >= trim ? 1 : 0;
+    std::size_t from = s.from, to = s.to;
+    while (g.marginMm[from] < trim) ++from;
+    while (g.marginMm[to - 1] < trim) --to;
+    if (to - from == s.kept) {  // what was trimmed lies at the ends, as a rule
+      move(g, from, kept, s.kept);
+      kept += s.kept;
+    } else {
+      for (; from < to; ++from)
+        if (g.marginMm[from] >= trim) move(g, from, kept++, 1);
     }
-    if (kept == start) continue;
     const Interval along = intervalOf(g.alongMm.data() + start, kept - start);
     c.alongMm = {std::min(c.alongMm.low, along.low), std::max(c.alongMm.high, along.high)};
     if (p.runs.empty() || p.runs.back().camera != s.camera)

@@ -50,6 +50,7 @@ class PointGroups {
   struct Stride {
     std::size_t primitive = 0, from = 0, to = 0;
     std::uint8_t camera = 0;
+    std::size_t kept = 0;  ///< of them, far enough from the ends
   };
   struct Group {
     Vec origin;
@@ -62,6 +63,7 @@ class PointGroups {
   void take(const ProfilePoint* points, std::size_t count, std::size_t primitive, const Transform2& fromWorld);
   void measureStride(Group& group, const Stride& stride) const;
   void chooseTrims();
+  static void move(Group& group, std::size_t from, std::size_t to, std::size_t count);
   [[nodiscard]] double arcLengthAt(const Border& border, double alongChordMm) const;
 
   MeasurementSettings settings_;

@@ -11,13 +11,6 @@ constexpr double kLongFitPoints = 30;  // a fit with so many points says how the
 constexpr double kPointsPerAbsorbed = 4;
 constexpr double kMisfit = 4;  // a fit that scatters so much more than the others is judged by itself
 
-/// By how much shared errors raise the variance of a mean over n points: c for long runs, less where the run is hardly
-/// longer than what is shared (exact for errors that are a moving average over c points).
-double sharedBy(double correlatedPoints, double n) {
-  const double c = correlatedPoints;
-  return std::max(1.0, c - (c * c - 1) / (3.0 * std::max(1.0, n)));
-}
-
 std::vector<ChainFit> chainsOf(const Section& section, const SectionPlan& plan) {
   std::vector<ChainFit> chains;
   for (ChainPlan& chain : planChains(section, plan)) chains.emplace_back(section, std::move(chain));
@@ -55,9 +48,9 @@ std::size_t PrimitiveFits::nextBase() const {
   return blocks_.empty() ? 0 : blocks_.back().base + blocks_.back().solution->unknowns;
 }
 
-void PrimitiveFits::fitFootBottom() {
+void PrimitiveFits::fitFootBottom(double correlatedPoints) {
   if (groups_.pointsOf(footBottom_) < settings_.minPoints) return miss(footBottom_, tooFew(footBottom_));
-  footFit_.solve(groups_.select(chains_.size(), 0, 0));
+  footFit_.solve(groups_.select(chains_.size(), 0, 0), correlatedPoints);
   if (!footFit_.solution().valid) return miss(footBottom_, "the points on " + names_[footBottom_] + " make no curve");
   shapes_.footBottom = footFit_.parabola();
   miss(footBottom_, "");
@@ -65,7 +58,7 @@ void PrimitiveFits::fitFootBottom() {
   blocks_.push_back({&footFit_.solution(), nextBase()});
 }
 
-void PrimitiveFits::fitChain(std::size_t index) {
+void PrimitiveFits::fitChain(std::size_t index, double correlatedPoints) {
   ChainFit& chain = chains_[index];
   const auto& members = chain.plan().primitives;
   const auto enough = [&](std::size_t m) { return groups_.pointsOf(members[m]) >= settings_.minPoints; };
@@ -81,7 +74,7 @@ void PrimitiveFits::fitChain(std::size_t index) {
   while (last > anchor && !bears(last)) --last;
   for (std::size_t m = 0; m < members.size(); ++m)
     if (m < first || m > last) miss(members[m], tooFew(members[m]));
-  chain.solve(groups_.select(index, first, last), first, last);
+  chain.solve(groups_.select(index, first, last), first, last, correlatedPoints);
   if (!chain.solution().valid || nextBase() + chain.solution().unknowns > kMaxGlobalUnknowns) {
     for (std::size_t m = first; m <= last; ++m)
       miss(members[m], "the points on " + names_[members[m]] + " make no curve");
@@ -108,15 +101,14 @@ void PrimitiveFits::publishChain(std::size_t index, std::size_t first, std::size
   blocks_.push_back({&chain.solution(), nextBase()});
 }
 
-/// The scatter of the points about the fits tells how right their sigmas are: speckle and roughness show there.
-void PrimitiveFits::pool(double correlatedPoints) {
+/// The scatter of the points about the fits tells how right their sigmas are: speckle and roughness show there. A fit
+/// lowers it by what it absorbs.
+void PrimitiveFits::pool() {
   sorted_.clear();
-  // Each unknown takes the freedom of as many points as share an error; on short primitives that count is too rough.
-  const auto absorbed = [&](const FitSolution& s) { return static_cast<double>(s.unknowns) * correlatedPoints; };
   const auto isLong = [&](const FitSolution& s) {
-    return s.scatter.total() >= std::max<double>(kLongFitPoints, kPointsPerAbsorbed * absorbed(s));
+    return s.scatter.total() >= std::max(kLongFitPoints, kPointsPerAbsorbed * s.absorbed);
   };
-  const auto reduced = [&](const FitSolution& s) { return s.scatter.sum() / (s.scatter.total() - absorbed(s)); };
+  const auto reduced = [&](const FitSolution& s) { return s.scatter.sum() / (s.scatter.total() - s.absorbed); };
   for (const Block& b : blocks_)
     if (isLong(*b.solution)) sorted_.push_back(reduced(*b.solution));
   double usual = 1;
@@ -130,7 +122,7 @@ void PrimitiveFits::pool(double correlatedPoints) {
     const FitScatter& s = b.solution->scatter;
     const double total = s.total();
     if (!isLong(*b.solution) || reduced(*b.solution) > kMisfit * usual) continue;
-    const double share = 1 - absorbed(*b.solution) / total;
+    const double share = 1 - b.solution->absorbed / total;
     for (std::size_t c = 0; c < chi2.size(); ++c) {
       chi2[c] += s.chi2[c];
       freedom[c] += s.points[c] * share;
@@ -144,7 +136,7 @@ void PrimitiveFits::pool(double correlatedPoints) {
     factor /= std::max(1.0, s.total());
     if (isLong(*b.solution) && reduced(*b.solution) > kMisfit * std::max(1.0, usual))
       factor = std::max(factor, reduced(*b.solution));
-    b.factor = factor * sharedBy(correlatedPoints, s.total());
+    b.factor = factor;
   }
 }
 
@@ -152,9 +144,10 @@ void PrimitiveFits::fit(const Profile& profile, const Registration& registration
   groups_.gather(profile, registration);
   blocks_.clear();
   std::fill(blockOfFit_.begin(), blockOfFit_.end(), kNoBlock);
-  fitFootBottom();
-  for (std::size_t c = 0; c < chains_.size(); ++c) fitChain(c);
-  pool(std::max(1.0, static_cast<double>(profile.correlatedPoints)));
+  const auto correlatedPoints = static_cast<double>(profile.correlatedPoints);
+  fitFootBottom(correlatedPoints);
+  for (std::size_t c = 0; c < chains_.size(); ++c) fitChain(c, correlatedPoints);
+  pool();
 }
 
 Deviations PrimitiveFits::deviations(const Reading& reading) const {
@@ -184,9 +177,9 @@ Deviations PrimitiveFits::deviations(const Reading& reading) const {
   }
   for (std::size_t at = 0; at < used; ++at) {
     const Block& block = blocks_[blocks[at]];
-    const UnknownVector white = block.solution->factor.whitened(gradients[at]);
+    const UnknownVector own = block.solution->deviations(gradients[at]);
     const double scale = std::sqrt(block.factor);
-    for (std::size_t i = 0; i < block.solution->unknowns; ++i) all[block.base + i] = scale * white[i];
+    for (std::size_t i = 0; i < block.solution->unknowns; ++i) all[block.base + i] = scale * own[i];
   }
   return all;
 }

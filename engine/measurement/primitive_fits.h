@@ -45,13 +45,13 @@ class PrimitiveFits {
   struct Block {
     const FitSolution* solution = nullptr;
     std::size_t base = 0;
-    double factor = 1;  ///< on the variance for independent points of the given sigma
+    double factor = 1;  ///< on the variance for points of the given sigma
   };
-  void fitFootBottom();
-  void fitChain(std::size_t chain);
+  void fitFootBottom(double correlatedPoints);
+  void fitChain(std::size_t chain, double correlatedPoints);
   void publishChain(std::size_t chain, std::size_t first, std::size_t last);
   [[nodiscard]] std::size_t nextBase() const;
-  void pool(double correlatedPoints);
+  void pool();
   void miss(std::size_t primitive, std::string reason) { shapes_.missing[primitive] = std::move(reason); }
   [[nodiscard]] std::string tooFew(std::size_t primitive) const;
 

@@ -9,6 +9,7 @@
 
 #include "engine/measurement/fit_sums.h"
 #include "engine/measurement/normal_factor.h"
+#include "engine/measurement/shared_errors.h"
 #include "engine/profile/profile.h"
 
 namespace vignole {
@@ -29,13 +30,33 @@ struct FitScatter {
   }
 };
 
-/// Unknowns of a fit, and their normal equations for independent points of the given sigmas.
+/// Unknowns of a fit and what they are uncertain by, for points of the given sigmas.
 struct FitSolution {
   bool valid = false;
   std::size_t unknowns = 0;
-  NormalFactor factor;
+  NormalFactor normal;
+  UnknownMatrix shared{};  ///< SharedErrors::factor
+  double absorbed = 0;     ///< by how much the fit lowers the expected sum of chi2, in points
   FitScatter scatter;
   double meanSquareMm2 = 0;  ///< of the residuals of the points that were kept
+
+  void setShared(const SharedErrors& errors) {
+    shared = errors.factor(normal);
+    absorbed = 0;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      UnknownVector column{};
+      for (std::size_t k = i; k < unknowns; ++k) column[k] = shared[k][i];
+      for (const double w : normal.whitened(column)) absorbed += w * w;
+    }
+  }
+  /// A quantity with this gradient as a sum of independent errors of standard deviation 1.
+  [[nodiscard]] UnknownVector deviations(const UnknownVector& gradient) const {
+    const UnknownVector h = normal.solve(gradient);
+    UnknownVector d{};
+    for (std::size_t i = 0; i < unknowns; ++i)
+      for (std::size_t k = i; k < unknowns; ++k) d[i] += shared[k][i] * h[k];
+    return d;
+  }
 };
 
 class RobustRounds {
@@ -48,14 +69,14 @@ class RobustRounds {
     for (int i = 0; i < kSoftRounds; ++i) {
       const double step = round(subset_, Weighting{kTukey * scale * kTukey * scale, false});
       if (!(step >= 0)) return false;
-      scale = scaleOf(points, residual);
+      if (scale > 1) scale = scaleOf(points, residual);
       if (step < kSettledMm) break;
     }
     const Weighting hard{kHardCut * scale * kHardCut * scale, true};
     for (int i = 0; i < kHardRounds; ++i) {
       const double step = round(points, hard);
       if (!(step >= 0)) return false;
-      if (step < kSettledMm) break;
+      if (step < kRefinedMm) break;
     }
     return true;
   }
@@ -67,6 +88,8 @@ class RobustRounds {
   static constexpr int kHardRounds = 3;
   static constexpr std::size_t kSoftPoints = 120;
   static constexpr double kSettledMm = 2e-3;  // a step this small: on to the last rounds
+  // A last step this small needs no other: the fits are linear in it to a nanometre, and no point changes sides.
+  static constexpr double kRefinedMm = 5e-3;
   static constexpr std::size_t kScaleSamples = 63;
 
   void choose(const FitPoints& points) {
