@@ -16,6 +16,13 @@ double distanceTo(const CurvePiece& p, double x, double y, double pull) {
   return 2 * f / (1 + std::sqrt(std::max(1e-12, 1 - 2 * k * f))) - pull * k;
 }
 
+/// Takes an unknown out of normal equations.
+void hold(std::size_t unknown, UnknownMatrix& a, UnknownVector& b) {
+  for (std::size_t i = 0; i < kMaxUnknowns; ++i) a[i][unknown] = a[unknown][i] = 0;
+  a[unknown][unknown] = 1;
+  b[unknown] = 0;
+}
+
 /// The line across the chain at the origin of a piece.
 Stretch::Line across(const CurvePiece& piece) {
   const Vec& o = piece.origin;
@@ -158,7 +165,7 @@ UnknownVector ChainFit::slopes(const FitPoints& points, std::size_t i) const {
   return s;
 }
 
-double ChainFit::round(const FitPoints& points, const Weighting& weighting) {
+double ChainFit::round(const FitPoints& points, const Weighting& weighting, bool free) {
   const std::size_t n = solution_.unknowns;
   solution_.scatter = {};
   ResidualSums all;
@@ -186,6 +193,9 @@ double ChainFit::round(const FitPoints& points, const Weighting& weighting) {
   }
   if (all.count < static_cast<double>(n + 1)) return -1;
   solution_.meanSquareMm2 = all.squares / all.count;
+  if (!free)
+    for (const int held : curvatureUnknown_)
+      if (held >= 0) hold(static_cast<std::size_t>(held), a, b);
   if (!solution_.normal.decompose(a, n)) return -1;
   const UnknownVector change = solution_.normal.solve(b);
   double size = 0;
@@ -204,7 +214,7 @@ void ChainFit::solve(const FitPoints& points, std::size_t first, std::size_t las
   walk();
   solution_.valid = rounds_.run(
       points, [&](const FitPoints& p, std::size_t i) { return residual(p, i); },
-      [&](const FitPoints& p, const Weighting& weighting) { return round(p, weighting); });
+      [&](const FitPoints& p, const Weighting& weighting, bool free) { return round(p, weighting, free); });
   if (!solution_.valid) return;
   SharedErrors errors(solution_.unknowns, correlatedPoints);
   for (const FitPoints::Run& run : points.runs)

@@ -34,7 +34,7 @@ class ChainFit {
   void layOut(std::size_t first, std::size_t last);
   void walk();
   void step(std::size_t from, std::size_t to);
-  double round(const FitPoints& points, const Weighting& weighting);
+  double round(const FitPoints& points, const Weighting& weighting, bool free);
   [[nodiscard]] std::size_t pieceAt(double x, double y) const;
   [[nodiscard]] double residual(const FitPoints& points, std::size_t i) const;
   [[nodiscard]] UnknownVector slopes(const FitPoints& points, std::size_t i) const;

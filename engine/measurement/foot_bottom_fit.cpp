@@ -39,8 +39,8 @@ void FootBottomFit::solve(const FitPoints& points, double correlatedPoints) {
     const double u = static_cast<double>(p.x[i]) / kScaleMm;
     return static_cast<double>(p.y[i]) - (c_[0] + u * (c_[1] + u * c_[2]));
   };
-  solution_.valid = rounds_.run(points, residual,
-                                [&](const FitPoints& p, const Weighting& weighting) { return round(p, weighting); });
+  solution_.valid = rounds_.run(
+      points, residual, [&](const FitPoints& p, const Weighting& weighting, bool) { return round(p, weighting); });
   if (!solution_.valid) return;
   SharedErrors errors(solution_.unknowns, correlatedPoints);
   for (const FitPoints::Run& run : points.runs)

@@ -61,20 +61,25 @@ struct FitSolution {
 
 class RobustRounds {
  public:
-  /// residual(points, i): of one point, mm. round(points, weighting): its step in mm, negative if it failed.
+  /// residual(points, i): of one point, mm. round(points, weighting, free): its step in mm, negative if it failed; not
+  /// free: the curvatures stay, far from the points they would run away.
   template <typename Residual, typename Round>
   bool run(const FitPoints& points, Residual residual, Round round) {
     choose(points);
     double scale = scaleOf(points, residual);
+    for (int i = 0; i < kShiftRounds && scale > kFarOff; ++i) {
+      if (!(round(subset_, Weighting{kTukey * scale * kTukey * scale, false}, false) >= 0)) return false;
+      scale = scaleOf(points, residual);
+    }
     for (int i = 0; i < kSoftRounds; ++i) {
-      const double step = round(subset_, Weighting{kTukey * scale * kTukey * scale, false});
+      const double step = round(subset_, Weighting{kTukey * scale * kTukey * scale, false}, true);
       if (!(step >= 0)) return false;
       if (scale > 1) scale = scaleOf(points, residual);
       if (step < kSettledMm) break;
     }
     const Weighting hard{kHardCut * scale * kHardCut * scale, true};
     for (int i = 0; i < kHardRounds; ++i) {
-      const double step = round(points, hard);
+      const double step = round(points, hard, true);
       if (!(step >= 0)) return false;
       if (step < kRefinedMm) break;
     }
@@ -84,6 +89,8 @@ class RobustRounds {
  private:
   static constexpr double kTukey = 4.685;  // 95 % efficiency on normal errors
   static constexpr double kHardCut = 4;    // standard deviations, in the last rounds
+  static constexpr double kFarOff = 3;     // a robust scale, in standard uncertainties: the curve lies elsewhere
+  static constexpr int kShiftRounds = 4;
   static constexpr int kSoftRounds = 6;
   static constexpr int kHardRounds = 3;
   static constexpr std::size_t kSoftPoints = 120;
