@@ -73,8 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
                               {Dimension::HWA, 0.604},  // the sides lean 1 in 20, and a wider head leans a little more
                               {Dimension::RASl, -0.3},
                               {Dimension::RASr, -0.3}}}),
-    [](const auto& info) {
-      std::string word = info.param.word;
+    [](const auto& defect) {
+      std::string word = defect.param.word;
       for (char& c : word)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
       return word;
