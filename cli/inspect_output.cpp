@@ -19,11 +19,12 @@ Json toJson(const DimensionSummary& d) {
   const auto ifMeasured = [measured](double value) { return measured ? Json(value) : Json(nullptr); };
   Json json = {{"name", name(d.dimension)},
                {"nominal_mm", d.nominalMm},
-               {"mean_mm", ifMeasured(d.values.mean())},
+               {"mean_mm", ifMeasured(d.meanMm())},
                {"min_mm", ifMeasured(d.values.min())},
                {"max_mm", ifMeasured(d.values.max())},
                {"s_mm", ifMeasured(d.values.sd())},
                {"u_mm", ifMeasured(d.uMm)},
+               {"u_mean_mm", ifMeasured(d.uOfMeanMm())},
                {"lower_mm", numberOrNull(d.lowerMm)},
                {"upper_mm", numberOrNull(d.upperMm)},
                {"verdict", name(d.verdict)},
@@ -116,18 +117,18 @@ std::string tableOf(const InspectedRail& rail) {
   std::string text = format("Rail %s  %s  %s  %.3f m  %llu profiles  verdict: %s\n", s.rail.id.c_str(),
                             rail.section.c_str(), s.recipe.c_str(), s.lengthM,
                             static_cast<unsigned long long>(s.profiles), std::string(name(s.verdict)).c_str());
-  text += format("%-6s %9s %9s %9s %9s %8s %8s %9s %9s  %-12s %s\n", "mm", "nominal", "mean", "min", "max", "s", "u",
-                 "lower", "upper", "verdict", "exceptions");
+  text += format("%-6s %9s %9s %9s %9s %8s %8s %8s %9s %9s  %-12s %s\n", "mm", "nominal", "mean", "min", "max", "s",
+                 "u", "u(mean)", "lower", "upper", "verdict", "exceptions");
   for (const DimensionSummary& d : s.dimensions) {
     const std::string word(name(d.verdict)), label(name(d.dimension));
     if (d.values.count() == 0) {
-      text +=
-          format("%-6s %9.3f %9s %9s %9s %8s %8s %9s %9s  %-12s %s\n", label.c_str(), d.nominalMm, "-", "-", "-", "-",
-                 "-", fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), "not measured", d.reason.c_str());
+      text += format("%-6s %9.3f %9s %9s %9s %8s %8s %8s %9s %9s  %-12s %s\n", label.c_str(), d.nominalMm, "-", "-",
+                     "-", "-", "-", "-", fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), "not measured",
+                     d.reason.c_str());
       continue;
     }
-    text += format("%-6s %9.3f %9.3f %9.3f %9.3f %8.4f %8.4f %9s %9s  %-12s", label.c_str(), d.nominalMm,
-                   d.values.mean(), d.values.min(), d.values.max(), d.values.sd(), d.uMm,
+    text += format("%-6s %9.3f %9.3f %9.3f %9.3f %8.4f %8.4f %8.4f %9s %9s  %-12s", label.c_str(), d.nominalMm,
+                   d.meanMm(), d.values.min(), d.values.max(), d.values.sd(), d.uMm, d.uOfMeanMm(),
                    fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), word.c_str());
     if (!d.exceptions.empty()) {
       const DimensionException& first = d.exceptions.front();

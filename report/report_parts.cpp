@@ -125,7 +125,7 @@ QString cellText(Column column, const DimensionSummary& s) {
     case Column::Nominal:
       return numberText(s.nominalMm, decimals);
     case Column::Mean:
-      return value(s.values.mean());
+      return value(s.meanMm());
     case Column::Min:
       return value(s.values.min());
     case Column::Max:

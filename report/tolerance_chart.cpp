@@ -88,7 +88,8 @@ class ChartPainter {
     QString figures = wordOf(s_.verdict);
     if (s_.values.count() > 0)
       figures += QStringLiteral("   mean %1   s %2")
-                     .arg(numberText(s_.values.mean(), decimals_), numberText(s_.values.sd(), decimals_));
+                     .arg(numberText(s_.meanMm(), decimals_), numberText(s_.values.sd(), decimals_));
+    if (!s_.radius.empty()) figures += QStringLiteral("   u of mean %1").arg(numberText(s_.uOfMeanMm(), decimals_));
     painter_.drawText(at + QPointF(advance, 0), figures);
   }
 

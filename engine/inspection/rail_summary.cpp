@@ -56,6 +56,18 @@ int badness(Verdict verdict) {
 
 }  // namespace
 
+void RadiusMean::add(double radiusMm, double uMm) {
+  if (!(uMm > 0)) return;
+  const double u = uMm / (radiusMm * radiusMm), weight = 1 / (u * u);
+  weight_ += weight;
+  curvature_ += (1 / radiusMm - curvature_) * weight / weight_;
+}
+
+double DimensionSummary::uOfMeanMm() const {
+  if (!radius.empty()) return radius.uMm();
+  return values.count() == 0 ? 0 : uMm / std::sqrt(static_cast<double>(values.count()));
+}
+
 RailSummariser::RailSummariser(const RailBegin& rail, const Recipe& recipe, const std::string& calibrationId,
                                const RailSummarySettings& settings)
     : settings_(settings) {
@@ -191,6 +203,7 @@ void RailSummariser::add(const ProfileResult& result) {
       continue;
     }
     dimension.values.add(*measured.valueMm);
+    if (dimension.dimension == Dimension::HR) dimension.radius.add(*measured.valueMm, measured.uMm);
     dimension.uMm += (measured.uMm - dimension.uMm) / static_cast<double>(dimension.values.count());
     addToTrack(dimension, positionM, *measured.valueMm);
     addToRuns(d, positionM, measured);
@@ -202,7 +215,7 @@ Verdict RailSummariser::verdictOf(std::size_t d, const DimensionSummary& dimensi
   const std::uint64_t count = dimension.values.count();
   if (count == 0) return Verdict::NotMeasured;
   if (!dimension.exceptions.empty() || 2 * failed_[d] >= count) return Verdict::Fail;
-  const double mean = dimension.values.mean(), guard = 2 * dimension.uMm;
+  const double mean = dimension.meanMm(), guard = 2 * dimension.uMm;
   const bool meanNear = (dimension.upperMm && mean + guard > *dimension.upperMm) ||
                         (dimension.lowerMm && mean - guard < *dimension.lowerMm);
   const bool persists = longestNotPassing_[d] >= static_cast<std::uint64_t>(settings_.minExceptionProfiles);

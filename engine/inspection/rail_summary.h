@@ -2,6 +2,7 @@
 // What is said of one rail when it has passed: per dimension mean, extremes, uncertainty, verdict and exceptions. Fed
 // profile by profile, constant memory whatever the length.
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -27,17 +28,38 @@ struct TrackBin {
   std::uint32_t count = 0;  ///< 0: not measured here
 };
 
+/// Radii averaged as curvatures with weights 1 / u^2: a radius from one profile is a skewed estimate of little weight
+/// where the curve is short, its curvature is not skewed. u: of the mean, from the uncertainties of the profiles alone;
+/// what they have in common (the calibration) does not average out.
+class RadiusMean {
+ public:
+  void add(double radiusMm, double uMm);
+  [[nodiscard]] bool empty() const { return !(weight_ > 0); }
+  [[nodiscard]] double radiusMm() const { return 1 / curvature_; }
+  [[nodiscard]] double uMm() const { return radiusMm() * radiusMm() / std::sqrt(weight_); }
+
+ private:
+  double curvature_ = 0;  ///< 1/mm
+  double weight_ = 0;     ///< mm^2
+};
+
 struct DimensionSummary {
   Dimension dimension = Dimension::RH;
   double nominalMm = 0;
   std::optional<double> lowerMm, upperMm;
   RunningStatistics values;  ///< over the profiles where it was measured
+  RadiusMean radius;         ///< HR: the same
   double uMm = 0;            ///< mean standard uncertainty of a single profile
   std::uint64_t notMeasured = 0;
   std::string reason;  ///< the most recent reason for not measured
   Verdict verdict = Verdict::NotMeasured;
   std::vector<DimensionException> exceptions;
   std::vector<TrackBin> track;
+
+  /// Over the rail: of HR the radius of the mean curvature. 0 where it was not measured.
+  [[nodiscard]] double meanMm() const { return radius.empty() ? values.mean() : radius.radiusMm(); }
+  /// Standard uncertainty of that mean as far as it comes from noise that is new in every profile.
+  [[nodiscard]] double uOfMeanMm() const;
 };
 
 /// Another section than the recipe's, which explains at least half of the profiles of a rail where the recipe's does

@@ -1,6 +1,5 @@
 #include "engine/measurement/chain_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -8,307 +7,219 @@ namespace vignole {
 namespace {
 
 constexpr double kFreeBreakPerMm = 0.03;  // a jump of curvature that places its break by itself
-constexpr double kTukey = 4.685;          // 95 % efficiency on normal errors
-constexpr double kHardCut = 4;            // standard deviations, in the last rounds
-constexpr int kSoftRounds = 6;
-constexpr int kHardRounds = 3;
-constexpr std::size_t kSoftPoints = 120;
-constexpr double kSettledMm = 2e-3;  // a step this small: on to the last rounds
-constexpr std::size_t kScaleSamples = 63;
 
-/// Weight of a residual whose square, in variances, is z2.
-double robustWeight(double z2, double cut2, bool hard) {
-  if (hard) return z2 < cut2 ? 1.0 : 0.0;
-  const double u = 1 - z2 / cut2;
-  return u > 0 ? u * u : 0.0;
+/// Signed distance to the left of the piece's carrier, less what the line filter did (curve_piece.h).
+double distanceTo(const CurvePiece& p, double x, double y, double pull) {
+  const double dx = x - p.origin.x, dy = y - p.origin.y, k = p.curvature;
+  const double f = p.tangent.x * dy - p.tangent.y * dx - 0.5 * k * (dx * dx + dy * dy);
+  if (k == 0) return f;
+  return 2 * f / (1 + std::sqrt(std::max(1e-12, 1 - 2 * k * f))) - pull * k;
 }
 
-double medianScale(std::vector<double>& z) {
-  if (z.empty()) return 1;
-  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2);
-  std::nth_element(z.begin(), middle, z.end());
-  return std::max(1.0, 1.4826 * *middle);
+/// Takes an unknown out of normal equations.
+void hold(std::size_t unknown, UnknownMatrix& a, UnknownVector& b) {
+  for (std::size_t i = 0; i < kMaxUnknowns; ++i) a[i][unknown] = a[unknown][i] = 0;
+  a[unknown][unknown] = 1;
+  b[unknown] = 0;
 }
 
-struct Distance {
-  double r = 0, nx = 0, ny = 0, perCurvature = 0, dx = 0, dy = 0;
-};
-
-/// Signed distance to the left of the piece's carrier, less what the line filter did; its normal and its slope with the
-/// curvature (curve_piece.h).
-inline Distance distanceTo(const CurvePiece<double>& p, const FitPoint& point) {
-  Distance d;
-  d.dx = point.x - p.origin.x;
-  d.dy = point.y - p.origin.y;
-  const double k = p.curvature, across = p.tangent.x * d.dy - p.tangent.y * d.dx, squared = d.dx * d.dx + d.dy * d.dy;
-  if (k == 0) {  // most primitives: no root, no quotient
-    d.r = across;
-    d.nx = -p.tangent.y;
-    d.ny = p.tangent.x;
-    d.perCurvature = (across * across - squared) / 2 - point.pullMm2;
-    return d;
-  }
-  const double f = across - 0.5 * k * squared;
-  const double root = std::sqrt(std::max(1e-12, 1 - 2 * k * f));
-  const double left = 2 * f / (1 + root);
-  d.r = left - point.pullMm2 * k;
-  const double perRoot = 1 / root;
-  d.nx = (-p.tangent.y - k * d.dx) * perRoot;
-  d.ny = (p.tangent.x - k * d.dy) * perRoot;
-  d.perCurvature = 0.5 * (left * left - squared) * perRoot - point.pullMm2;
-  return d;
-}
-
-CurvePiece<double> plain(const CurvePiece<LocalDual>& p) {
-  return {{p.origin.x.value, p.origin.y.value},
-          {p.tangent.x.value, p.tangent.y.value},
-          p.curvature.value,
-          p.fromMm,
-          p.toMm};
-}
-
-/// Rounds of weighting and solving shared by both fits: soft weights on some of the points until the steps are small,
-/// then a hard cut on all of them. round(cut, hard, stride) returns its step in mm, negative if it failed.
-template <typename Scale, typename Round>
-bool iterate(std::size_t points, Scale scale, Round round) {
-  const std::size_t stride = std::max<std::size_t>(1, points / kSoftPoints);
-  for (int i = 0; i < kSoftRounds; ++i) {
-    const double step = round(kTukey * scale(), false, stride);
-    if (!(step >= 0)) return false;
-    if (step < kSettledMm) break;
-  }
-  const double cut = kHardCut * scale();
-  for (int i = 0; i < kHardRounds; ++i) {
-    const double step = round(cut, true, 1);
-    if (!(step >= 0)) return false;
-    if (step < kSettledMm) break;
-  }
-  return true;
+/// The line across the chain at the origin of a piece.
+Stretch::Line across(const CurvePiece& piece) {
+  const Vec& o = piece.origin;
+  const Vec& t = piece.tangent;
+  return {t.x, t.y, t.x * o.x + t.y * o.y};
 }
 
 }  // namespace
 
 ChainFit::ChainFit(const Section& section, ChainPlan plan) : plan_(std::move(plan)) {
+  const auto shapeOf = [&](std::size_t k) -> const Primitive& { return section.primitives[plan_.primitives[k]].shape; };
+  const std::size_t n = plan_.primitives.size();
   double s = 0;
-  for (const std::size_t p : plan_.primitives) {
-    nominal_.push_back(pieceOf(section.primitives[p].shape));
+  for (std::size_t k = 0; k < n; ++k) {
+    nominal_.push_back(pieceOf(shapeOf(k)));
     startMm_.push_back(s);
     s += nominal_.back().toMm;
   }
-  const double middle = startMm_[plan_.anchor] + nominal_[plan_.anchor].toMm / 2;
+  const double half = nominal_[plan_.anchor].toMm / 2, middle = startMm_[plan_.anchor] + half;
   for (double& start : startMm_) start -= middle;
-  anchorNominal_ = pieceOf(section.primitives[plan_.primitives[plan_.anchor]].shape, nominal_[plan_.anchor].toMm / 2);
-  pieces_.resize(nominal_.size());
-  plain_.resize(nominal_.size());
-  breaks_.resize(nominal_.size());
-  sums_.resize(nominal_.size());
-  unknowns_.curvature.resize(nominal_.size());
-  unknowns_.breakAfter.resize(nominal_.size());
+  anchorNominal_ = pieceOf(shapeOf(plan_.anchor), half);
+  origin_ = anchorNominal_.origin;
+  anchorNominal_.origin = {};
+  for (CurvePiece& piece : nominal_) piece.origin = {piece.origin.x - origin_.x, piece.origin.y - origin_.y};
+  pieces_.resize(n);
+  stretches_.resize(n);
+  curvatureUnknown_.resize(n);
+  breakUnknown_.resize(n);
 }
 
 void ChainFit::layOut(std::size_t first, std::size_t last) {
   first_ = first;
   last_ = last;
   std::size_t count = 2;
-  std::fill(unknowns_.curvature.begin(), unknowns_.curvature.end(), -1);
-  std::fill(unknowns_.breakAfter.begin(), unknowns_.breakAfter.end(), -1);
+  std::fill(curvatureUnknown_.begin(), curvatureUnknown_.end(), -1);
+  std::fill(breakUnknown_.begin(), breakUnknown_.end(), -1);
   for (std::size_t k = first; k <= last; ++k)
     if (nominal_[k].curvature != 0 && nominal_[k].toMm >= kShortArcMm && count < kMaxUnknowns)
-      unknowns_.curvature[k] = static_cast<int>(count++);
+      curvatureUnknown_[k] = static_cast<int>(count++);
   for (std::size_t k = first; k < last; ++k) {
     const bool shortBefore = k > first && k != plan_.anchor && nominal_[k].toMm < kShortArcMm;
-    if (shortBefore && unknowns_.breakAfter[k - 1] >= 0)
-      unknowns_.breakAfter[k] = unknowns_.breakAfter[k - 1];  // both ends of a short arc move together
+    if (shortBefore && breakUnknown_[k - 1] >= 0)
+      breakUnknown_[k] = breakUnknown_[k - 1];  // both ends of a short arc move together
     else if (std::abs(nominal_[k + 1].curvature - nominal_[k].curvature) >= kFreeBreakPerMm && count < kMaxUnknowns)
-      unknowns_.breakAfter[k] = static_cast<int>(count++);
+      breakUnknown_[k] = static_cast<int>(count++);
   }
-  unknowns_.count = count;
-  state_.setZero();
+  solution_.unknowns = count;
+  state_ = {};
+}
+
+/// From a piece to its neighbour, whose origin is put at the break between them.
+void ChainFit::step(std::size_t from, std::size_t to) {
+  FittedPiece& here = pieces_[from];
+  FittedPiece& there = pieces_[to];
+  const bool onwards = to > from;
+  const auto breakOf = [&](std::size_t k) { return breakUnknown_[onwards ? k : k - 1]; };
+  const auto breakAt = [&](std::size_t k) {
+    const int i = breakOf(k);
+    return startMm_[onwards ? k + 1 : k] + (i < 0 ? 0 : state_[static_cast<std::size_t>(i)]);
+  };
+  // The anchor has its origin in its middle, every other piece at the break towards the anchor.
+  const bool fromAnchor = from == plan_.anchor;
+  const std::size_t before = onwards ? from - 1 : from + 1;
+  const double ds = breakAt(from) - (fromAnchor ? 0 : breakAt(before));
+  (onwards ? here.piece.toMm : here.piece.fromMm) = ds;
+
+  const Advance next = advanced(here.piece, ds);
+  there.piece = next.piece;
+  const Vec& t = next.piece.tangent;
+  const double k = here.piece.curvature;
+  const double dx = next.piece.origin.x - here.piece.origin.x, dy = next.piece.origin.y - here.piece.origin.y;
+  for (std::size_t i = 0; i < solution_.unknowns; ++i) {
+    const double turn = here.perUnknown[2][i], bend = here.perUnknown[3][i];
+    double along = breakOf(from) == static_cast<int>(i) ? 1 : 0;
+    if (!fromAnchor && breakOf(before) == static_cast<int>(i)) along -= 1;
+    there.perUnknown[0][i] = here.perUnknown[0][i] - turn * dy + bend * next.perCurvature.x + along * t.x;
+    there.perUnknown[1][i] = here.perUnknown[1][i] + turn * dx + bend * next.perCurvature.y + along * t.y;
+    there.perUnknown[2][i] = turn + bend * ds + along * k;
+  }
+  const double startMm = startMm_[to] - breakAt(from);
+  there.piece.fromMm = onwards ? 0 : startMm;
+  there.piece.toMm = onwards ? startMm + nominal_[to].toMm : 0;
 }
 
 void ChainFit::walk() {
-  const auto unknown = [&](int i) { return LocalDual::variable(state_(i), static_cast<std::size_t>(i)); };
-  const auto curvatureOf = [&](std::size_t k) {
-    const int i = unknowns_.curvature[k];
-    return i < 0 ? LocalDual(nominal_[k].curvature) : nominal_[k].curvature + unknown(i);
-  };
-  const auto breakAfter = [&](std::size_t k) {
-    const int i = unknowns_.breakAfter[k];
-    return i < 0 ? LocalDual(startMm_[k + 1]) : startMm_[k + 1] + unknown(i);
+  const auto bend = [&](std::size_t k) {
+    const int i = curvatureUnknown_[k];
+    FittedPiece& f = pieces_[k];
+    f.piece.curvature = nominal_[k].curvature + (i < 0 ? 0 : state_[static_cast<std::size_t>(i)]);
+    f.perUnknown[3] = {};
+    if (i >= 0) f.perUnknown[3][static_cast<std::size_t>(i)] = 1;
   };
   const std::size_t anchor = plan_.anchor;
-  CurvePiece<LocalDual>& middle = pieces_[anchor];
-  const LocalDual offset = unknown(0), turn = unknown(1);
-  middle.origin = {anchorNominal_.origin.x - anchorNominal_.tangent.y * offset,
-                   anchorNominal_.origin.y + anchorNominal_.tangent.x * offset};
-  const LocalDual c = cos(turn), s = sin(turn);
-  middle.tangent = {anchorNominal_.tangent.x * c - anchorNominal_.tangent.y * s,
-                    anchorNominal_.tangent.y * c + anchorNominal_.tangent.x * s};
-  middle.curvature = curvatureOf(anchor);
-  middle.fromMm = startMm_[anchor];
-  middle.toMm = startMm_[anchor] + nominal_[anchor].toMm;
-
-  LocalDual at = 0;
-  for (std::size_t k = anchor; k < last_; ++k) {  // onwards: each piece starts at the break before it
-    const LocalDual next = breakAfter(k);
-    pieces_[k].toMm = (next - at).value;
-    pieces_[k + 1] = advanced(pieces_[k], next - at);
-    pieces_[k + 1].curvature = curvatureOf(k + 1);
-    pieces_[k + 1].fromMm = 0;
-    pieces_[k + 1].toMm = startMm_[k + 1] + nominal_[k + 1].toMm - next.value;
-    at = next;
+  FittedPiece& middle = pieces_[anchor];
+  const Vec& t = anchorNominal_.tangent;
+  const double c = std::cos(state_[1]), s = std::sin(state_[1]);
+  middle.piece.origin = {-t.y * state_[0], t.x * state_[0]};
+  middle.piece.tangent = {t.x * c - t.y * s, t.y * c + t.x * s};
+  middle.piece.fromMm = startMm_[anchor];
+  middle.piece.toMm = startMm_[anchor] + nominal_[anchor].toMm;
+  middle.perUnknown = {UnknownVector{-t.y}, UnknownVector{t.x}, UnknownVector{0, 1}, UnknownVector{}};
+  bend(anchor);
+  for (std::size_t k = anchor; k < last_; ++k) {
+    step(k, k + 1);
+    bend(k + 1);
   }
-  at = 0;
-  for (std::size_t k = anchor; k > first_; --k) {  // backwards: each piece has its origin at the break after it
-    const LocalDual previous = breakAfter(k - 1);
-    pieces_[k].fromMm = (previous - at).value;
-    pieces_[k - 1] = advanced(pieces_[k], previous - at);
-    pieces_[k - 1].curvature = curvatureOf(k - 1);
-    pieces_[k - 1].toMm = 0;
-    pieces_[k - 1].fromMm = startMm_[k - 1] - previous.value;
-    at = previous;
+  for (std::size_t k = anchor; k > first_; --k) {
+    step(k, k - 1);
+    bend(k - 1);
   }
-  for (std::size_t k = first_; k <= last_; ++k) plain_[k] = plain(pieces_[k]);
-  for (std::size_t k = first_; k < last_; ++k) {
-    const CurvePiece<double>& joint = k < anchor ? plain_[k] : plain_[k + 1];
-    breaks_[k] = {joint.origin.x, joint.origin.y, joint.tangent.x, joint.tangent.y};
-  }
+  Stretch everywhere;
+  everywhere.bounded = first_ != last_;
+  std::fill(stretches_.begin(), stretches_.end(), everywhere);
+  for (std::size_t k = first_; k < last_; ++k)
+    stretches_[k].to = stretches_[k + 1].from = across(pieces_[k < anchor ? k : k + 1].piece);
 }
 
 std::size_t ChainFit::pieceAt(double x, double y) const {
   std::size_t k = first_;
-  while (k < last_ && (x - breaks_[k].x) * breaks_[k].tx + (y - breaks_[k].y) * breaks_[k].ty > 0) ++k;
+  while (k < last_ && x * stretches_[k].to.x + y * stretches_[k].to.y > stretches_[k].to.at) ++k;
   return k;
 }
 
-double ChainFit::robustScale() {
-  sorted_.clear();
-  const std::size_t stride = points_.size() / kScaleSamples + 1;
-  for (std::size_t i = stride / 2; i < points_.size(); i += stride) {
-    const FitPoint& p = points_[i];
-    sorted_.push_back(std::abs(distanceTo(plain_[pieceAt(p.x, p.y)], p).r) * std::sqrt(p.weight));
-  }
-  return medianScale(sorted_);
+double ChainFit::residual(const FitPoints& points, std::size_t i) const {
+  const double x = static_cast<double>(points.x[i]), y = static_cast<double>(points.y[i]);
+  return distanceTo(pieces_[pieceAt(x, y)].piece, x, y, static_cast<double>(points.pull[i]));
 }
 
-double ChainFit::accumulate(double cut, bool hard, std::size_t stride, UnknownMatrix& a, UnknownVector& b) {
+/// Of the residual over its sigma with the unknowns, as for a point on the curve.
+UnknownVector ChainFit::slopes(const FitPoints& points, std::size_t i) const {
+  const double x = static_cast<double>(points.x[i]), y = static_cast<double>(points.y[i]);
+  const FittedPiece& f = pieces_[pieceAt(x, y)];
+  const double dx = x - f.piece.origin.x, dy = y - f.piece.origin.y, k = f.piece.curvature;
+  const double nx = -f.piece.tangent.y - k * dx, ny = f.piece.tangent.x - k * dy;
+  const double perSigma = std::sqrt(static_cast<double>(points.weight[i]));
+  const std::array<double, 4> frame = {-nx, -ny, nx * dy - ny * dx, -0.5 * (dx * dx + dy * dy)};
+  UnknownVector s{};
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t u = 0; u < solution_.unknowns; ++u) s[u] += perSigma * frame[p] * f.perUnknown[p][u];
+  return s;
+}
+
+double ChainFit::round(const FitPoints& points, const Weighting& weighting, bool free) {
+  const std::size_t n = solution_.unknowns;
   solution_.scatter = {};
-  for (std::size_t k = first_; k <= last_; ++k) sums_[k] = {};
-  double squares = 0;
-  int kept = 0;
-  for (std::size_t i = 0; i < points_.size(); i += stride) {
-    const FitPoint& p = points_[i];
-    const std::size_t k = pieceAt(p.x, p.y);
-    const Distance d = distanceTo(plain_[k], p);
-    const double z2 = d.r * d.r * p.weight, w = robustWeight(z2, cut * cut, hard);
-    if (w == 0) continue;
-    const Eigen::Vector4d j(-d.nx, -d.ny, d.nx * d.dy - d.ny * d.dx, d.perCurvature);
-    const Eigen::Vector4d wj = w * p.weight * j;
-    sums_[k].matrix.noalias() += wj * j.transpose();
-    sums_[k].vector += wj * d.r;
-    solution_.scatter.chi2[p.camera] += z2;
-    ++solution_.scatter.points[p.camera];
-    squares += d.r * d.r;
-    ++kept;
-  }
-  a.setZero();
-  b.setZero();
+  ResidualSums all;
+  UnknownMatrix a{};
+  UnknownVector b{};
   for (std::size_t k = first_; k <= last_; ++k) {
-    // How the frame of this piece moves with the unknowns of the chain.
-    Eigen::Matrix<double, 4, static_cast<int>(kMaxUnknowns)> frame;
-    const CurvePiece<LocalDual>& f = pieces_[k];
-    for (std::size_t i = 0; i < kMaxUnknowns; ++i)
-      frame.col(static_cast<int>(i)) << f.origin.x.gradient[i], f.origin.y.gradient[i],
-          f.tangent.x.value * f.tangent.y.gradient[i] - f.tangent.y.value * f.tangent.x.gradient[i],
-          f.curvature.gradient[i];
-    const Eigen::Matrix<double, 4, static_cast<int>(kMaxUnknowns)> moved = sums_[k].matrix * frame;
-    a.noalias() += frame.transpose() * moved;
-    b.noalias() += frame.transpose() * sums_[k].vector;
+    FrameSums sums;
+    for (const FitPoints::Run& run : points.runs) {
+      const ResidualSums before = sums.residuals;
+      addPiece(points, run, pieces_[k].piece, stretches_[k], weighting, sums);
+      addTo(solution_.scatter, run.camera, sums.residuals.since(before));
+    }
+    all.squares += sums.residuals.squares;
+    all.count += sums.residuals.count;
+    const auto& frame = pieces_[k].perUnknown;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::array<double, 4> moved{};
+      for (std::size_t p = 0; p < 4; ++p)
+        for (std::size_t q = 0; q < 4; ++q) moved[p] += sums.matrix[std::min(p, q)][std::max(p, q)] * frame[q][i];
+      for (std::size_t p = 0; p < 4; ++p) {
+        b[i] += frame[p][i] * sums.vector[p];
+        for (std::size_t j = 0; j <= i; ++j) a[i][j] += moved[p] * frame[p][j];
+      }
+    }
   }
-  solution_.meanSquareMm2 = kept > 0 ? squares / kept : 0;
-  return kept;
-}
-
-void ChainFit::solve(std::size_t first, std::size_t last) {
-  layOut(first, last);
-  solution_ = {};
-  solution_.unknowns = unknowns_.count;
-  const auto n = static_cast<int>(unknowns_.count);
+  if (all.count < static_cast<double>(n + 1)) return -1;
+  solution_.meanSquareMm2 = all.squares / all.count;
+  if (!free)
+    for (const int held : curvatureUnknown_)
+      if (held >= 0) hold(static_cast<std::size_t>(held), a, b);
+  if (!solution_.normal.decompose(a, n)) return -1;
+  const UnknownVector change = solution_.normal.solve(b);
+  double size = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    state_[i] -= change[i];
+    size += std::abs(change[i]);
+  }
+  if (!std::isfinite(size)) return -1;
   walk();
-  UnknownMatrix a;
-  UnknownVector b;
-  const auto round = [&](double cut, bool hard, std::size_t stride) -> double {
-    if (accumulate(cut, hard, stride, a, b) < n + 1) return -1;
-    for (int i = n; i < a.rows(); ++i) a(i, i) = 1;  // unknowns that this chain does not have
-    // Unit diagonal: curvatures and angles differ from offsets by orders of magnitude.
-    const UnknownVector scale = a.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
-    const UnknownMatrix scaled = scale.asDiagonal() * a * scale.asDiagonal();
-    const Eigen::LLT<UnknownMatrix> llt(scaled);
-    if (llt.info() != Eigen::Success) return -1;
-    const UnknownVector scaledB = scale.asDiagonal() * b;
-    const UnknownVector step = -(scale.asDiagonal() * llt.solve(scaledB));
-    if (!step.allFinite()) return -1;
-    state_ += step;
-    if (hard) {
-      const UnknownMatrix inverse = llt.solve(UnknownMatrix::Identity());
-      solution_.covariance = scale.asDiagonal() * inverse * scale.asDiagonal();
-    }
-    walk();
-    return std::abs(step(0)) + 10 * std::abs(step(1));
-  };
-  solution_.valid = iterate(
-      points_.size(), [&] { return robustScale(); }, round);
+  return std::abs(change[0]) + 10 * std::abs(change[1]);
 }
 
-double FootBottomFit::accumulate(double cut, bool hard, std::size_t stride, Eigen::Matrix3d& a, Eigen::Vector3d& b) {
-  a.setZero();
-  b.setZero();
-  solution_.scatter = {};
-  double squares = 0;
-  for (std::size_t i = 0; i < points_.size(); i += stride) {
-    const FitPoint& p = points_[i];
-    const double u = p.x / kFootScaleMm, r = p.y - (c_(0) + u * (c_(1) + u * c_(2))), z2 = r * r * p.weight;
-    const double w = robustWeight(z2, cut * cut, hard) * p.weight;
-    if (w == 0) continue;
-    const Eigen::Vector3d j(1, u, u * u);
-    a += w * j * j.transpose();
-    b += w * r * j;
-    solution_.scatter.chi2[p.camera] += z2;
-    ++solution_.scatter.points[p.camera];
-    squares += r * r;
-  }
-  const int kept = solution_.scatter.total();
-  solution_.meanSquareMm2 = kept > 0 ? squares / kept : 0;
-  return kept;
-}
-
-void FootBottomFit::solve() {
-  c_.setZero();
+void ChainFit::solve(const FitPoints& points, std::size_t first, std::size_t last, double correlatedPoints) {
   solution_ = {};
-  solution_.unknowns = 3;
-  Eigen::Matrix3d a;
-  Eigen::Vector3d b;
-  const auto scale = [&] {
-    sorted_.clear();
-    const std::size_t stride = points_.size() / kScaleSamples + 1;
-    for (std::size_t i = stride / 2; i < points_.size(); i += stride) {
-      const FitPoint& p = points_[i];
-      const double u = p.x / kFootScaleMm;
-      sorted_.push_back(std::abs(p.y - (c_(0) + u * (c_(1) + u * c_(2)))) * std::sqrt(p.weight));
-    }
-    return medianScale(sorted_);
-  };
-  const auto round = [&](double cut, bool hard, std::size_t stride) -> double {
-    if (accumulate(cut, hard, stride, a, b) < 4) return -1;
-    const Eigen::LLT<Eigen::Matrix3d> llt(a);
-    if (llt.info() != Eigen::Success) return -1;
-    const Eigen::Vector3d step = llt.solve(b);
-    if (!step.allFinite()) return -1;
-    c_ += step;
-    if (hard) solution_.covariance.topLeftCorner<3, 3>() = llt.solve(Eigen::Matrix3d::Identity());
-    return step.lpNorm<1>();
-  };
-  solution_.valid = iterate(points_.size(), scale, round);
+  layOut(first, last);
+  walk();
+  solution_.valid = rounds_.run(
+      points, [&](const FitPoints& p, std::size_t i) { return residual(p, i); },
+      [&](const FitPoints& p, const Weighting& weighting, bool free) { return round(p, weighting, free); });
+  if (!solution_.valid) return;
+  SharedErrors errors(solution_.unknowns, correlatedPoints);
+  for (const FitPoints::Run& run : points.runs)
+    errors.addRun(run.from, run.to, [&](std::size_t i) { return slopes(points, i); });
+  solution_.setShared(errors);
 }
 
 }  // namespace vignole

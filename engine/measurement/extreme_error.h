@@ -2,7 +2,7 @@
 // The error of an extreme (HF_max, HF_min): of several places whose deviations cannot be told apart, noise picks the
 // most extreme, so the error of the extreme is the extreme of their errors.
 
-#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "engine/measurement/primitive_fits.h"
@@ -12,20 +12,21 @@ namespace vignole {
 class ExtremeError {
  public:
   ExtremeError();
-  void begin(const GlobalDual& extreme, const PrimitiveFits& fits);
+  void begin(const Reading& extreme, const PrimitiveFits& fits);
   /// Counts a place in if it lies within 2.5 standard uncertainties of its difference from the extreme; sign +1:
   /// maximum.
-  void consider(const GlobalDual& place, double sign);
+  void consider(const Reading& place, double sign);
   /// E[(max of the errors of all places)^2], by fixed normal deviates: the same input, the same bits.
   [[nodiscard]] double meanSquareError() const;
 
  private:
-  static constexpr int kMaxPlaces = 16;
-  static constexpr int kDraws = 256;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxPlaces, kMaxPlaces>;
+  static constexpr std::size_t kMaxPlaces = 16;
+  static constexpr std::size_t kDraws = 256;
+  using Draws = std::array<double, kDraws>;
   const PrimitiveFits* fits_ = nullptr;
-  std::vector<GlobalDual> places_;
-  Eigen::Matrix<double, kMaxPlaces, kDraws> deviates_;
+  double extremeMm_ = 0;
+  std::vector<Deviations> places_;
+  std::array<Draws, kMaxPlaces> deviates_;
 };
 
 }  // namespace vignole

@@ -41,7 +41,7 @@ struct Measurer::Impl {
       return;
     }
     fits = std::make_unique<PrimitiveFits>(section, *plan, settings);
-    definitions = std::make_unique<Definitions<GlobalDual>>(*plan, parameters, kJointSlackMm);
+    definitions = std::make_unique<Definitions>(*plan, parameters, kJointSlackMm);
   }
 
   void measure(const Profile& profile, const Registration& registration, const RailTemperature& temperature,
@@ -51,11 +51,11 @@ struct Measurer::Impl {
     if (const std::string why = refuses(profile, registration, temperature); !why.empty()) {
       for (DimensionResult& d : m.dimensions) d.reason = why;
     } else {
-      fits->fit(profile, registration);
+      fits->fit(profile, registration, coldOf(temperature));
       definitions->evaluate(fits->shapes(), values);
       const std::string cameras = missingCameras(profile);
       for (const Dimension d : kDimensions) publish(d, registration, temperature, cameras, m.dimensions[index(d)]);
-      fits->describe(registration.worldFromSection, m.fitted);
+      fits->describe(registration.worldFromSection, coldOf(temperature), m.fitted);
     }
     for (const Dimension d : kDimensions) judge(d, limits[index(d)], m.dimensions[index(d)]);
     m.verdict = worstOf(m.dimensions);
@@ -90,47 +90,51 @@ struct Measurer::Impl {
     return {};
   }
 
+  /// A length l at the rail's temperature is l times this at 15 degrees C.
+  [[nodiscard]] double coldOf(const RailTemperature& temperature) const {
+    return 1 / (1 + settings.expansionPerK * (temperature.celsius - kReferenceCelsius));
+  }
+
   void publish(Dimension dimension, const Registration& registration, const RailTemperature& temperature,
                const std::string& cameras, DimensionResult& out) {
-    const DefinedValue<GlobalDual>& v = values[index(dimension)];
+    const DefinedValue& v = values[index(dimension)];
     out.points = fits->pointsOn(v.used);
     if (!v.value) {
       out.reason = cameras.empty() ? v.reason : v.reason + " (" + cameras + ")";
       return;
     }
-    // A length l at the rail's temperature is l / (1 + alpha dT) at 15 degrees C.
-    const double cold = 1 / (1 + settings.expansionPerK * (temperature.celsius - kReferenceCelsius));
-    const double thermal = settings.expansionPerK * temperature.uncertaintyK;
-    const auto total = [&](const GlobalDual& quantity, double variance) {
-      const double u = thermal * quantity.value * cold;
-      return std::sqrt(variance * cold * cold + u * u);
+    const double cold = coldOf(temperature), thermal = settings.expansionPerK * temperature.uncertaintyK;
+    const auto total = [&](const Reading& quantity, double variance) {
+      const double u = thermal * quantity.value;
+      return std::sqrt(variance + u * u);
     };
-    out.valueMm = v.value->value * cold;
-    double variance = fits->variance(*v.value);
-    if (dimension == Dimension::HF) variance = extremeVariance(*v.value, v, 1);
-    out.uMm = total(*v.value, variance);
+    out.valueMm = v.value->value;
+    const auto variance = [&](const Reading& quantity, double sign) {
+      return dimension == Dimension::HF ? extremeVariance(quantity, v, sign) : fits->variance(quantity);
+    };
+    out.uMm = total(*v.value, variance(*v.value, 1));
     if (v.second) {
-      out.secondMm = v.second->value * cold;
-      out.secondUMm =
-          total(*v.second, dimension == Dimension::HF ? extremeVariance(*v.second, v, -1) : fits->variance(*v.second));
+      out.secondMm = v.second->value;
+      out.secondUMm = total(*v.second, variance(*v.second, -1));
     }
     if (v.hasParts) {
-      out.leftMm = v.left.value * cold;
-      out.rightMm = v.right.value * cold;
+      out.leftMm = v.left;
+      out.rightMm = v.right;
     }
-    const Datum<GlobalDual>& datum = definitions->datum();
-    const Point2 origin(datum.origin.x.value, datum.origin.y.value);
-    const Point2 along(datum.along.x.value, datum.along.y.value), up(-along.y(), along.x());
+    const Datum& datum = definitions->datum();
+    const Point2 origin(datum.origin.x, datum.origin.y);
+    const Point2 along(datum.along.x, datum.along.y), up(-along.y(), along.x());
     for (std::size_t k = 0; k < v.anchorCount; ++k)
-      out.anchors.push_back(registration.worldFromSection * (origin + v.anchors[k].x * along + v.anchors[k].y * up));
+      out.anchors.push_back(registration.worldFromSection *
+                            ((origin + v.anchors[k].x * along + v.anchors[k].y * up) / cold));
   }
 
   /// An extreme may lie at any of the places whose deviation cannot be told from it (on a nominal crown: all of them).
   /// Its error is the largest of theirs.
-  [[nodiscard]] double extremeVariance(const GlobalDual& extreme, const DefinedValue<GlobalDual>& v, double sign) {
+  [[nodiscard]] double extremeVariance(const Reading& extreme, const DefinedValue& v, double sign) {
     extremes.begin(extreme, *fits);
-    extremes.consider(GlobalDual(0), sign);  // the axis itself
-    for (const GlobalDual& candidate : v.candidates) extremes.consider(candidate, sign);
+    extremes.consider(Reading(0), sign);  // the axis itself
+    for (const Reading& candidate : v.candidates) extremes.consider(candidate, sign);
     return extremes.meanSquareError();
   }
 
@@ -142,8 +146,8 @@ struct Measurer::Impl {
   std::unique_ptr<SectionPlan> plan;
   PerDimension<std::optional<double>> nominal;
   std::unique_ptr<PrimitiveFits> fits;
-  std::unique_ptr<Definitions<GlobalDual>> definitions;
-  PerDimension<DefinedValue<GlobalDual>> values;
+  std::unique_ptr<Definitions> definitions;
+  PerDimension<DefinedValue> values;
   ExtremeError extremes;
 };
 

@@ -8,7 +8,7 @@ namespace vignole {
 namespace {
 
 /// Parabola through the foot bottom; exact for a segment, least squares over samples for anything else.
-Parabola<double> footBottomParabola(const Primitive& shape) {
+Parabola footBottomParabola(const Primitive& shape) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   constexpr int kSamples = 200;
@@ -24,8 +24,8 @@ Parabola<double> footBottomParabola(const Primitive& shape) {
 
 }  // namespace
 
-Shapes<double> nominalShapes(const Section& section) {
-  Shapes<double> shapes;
+Shapes nominalShapes(const Section& section) {
+  Shapes shapes;
   for (const auto& primitive : section.primitives)
     shapes.pieces.push_back(pieceOf(primitive.shape, length(primitive.shape) / 2));
   shapes.missing.resize(section.primitives.size());
@@ -36,17 +36,17 @@ Shapes<double> nominalShapes(const Section& section) {
 
 Expected<PerDimension<std::optional<double>>> nominalDimensions(const Section& section, const SectionPlan& plan,
                                                                 const DimensionParameters& parameters) {
-  PerDimension<DefinedValue<double>> values;
-  Definitions<double>(plan, parameters, 0).evaluate(nominalShapes(section), values);
+  PerDimension<DefinedValue> values;
+  Definitions(plan, parameters, 0).evaluate(nominalShapes(section), values);
   PerDimension<std::optional<double>> nominal;
   for (const Dimension d : kDimensions) {
-    const DefinedValue<double>& v = values[index(d)];
+    const DefinedValue& v = values[index(d)];
     const bool undefined = (d == Dimension::WT && !plan.webHeightMm) ||
                            (d == Dimension::HR && curvature(section.primitives[plan.headTop].shape) <= 0);
     if (!v.value && !undefined)
       return inputError(section.name, std::string(name(d)) + ": its parameter falls off the section's primitives (" +
                                           v.reason + "); choose one that lies on them");
-    nominal[index(d)] = v.value;
+    if (v.value) nominal[index(d)] = v.value->value;
   }
   return nominal;
 }

@@ -5,7 +5,7 @@
 
 namespace vignole {
 
-[[nodiscard]] Shapes<double> nominalShapes(const Section& section);
+[[nodiscard]] Shapes nominalShapes(const Section& section);
 
 /// The definitions on the section's own primitives: what nominalDimensions returns, for a plan that is made already.
 [[nodiscard]] Expected<PerDimension<std::optional<double>>> nominalDimensions(const Section& section,

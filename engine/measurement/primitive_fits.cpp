@@ -6,227 +6,109 @@
 namespace vignole {
 namespace {
 
-constexpr float kFallbackSigmaMm = 0.03F;  // where a point comes without its uncertainty
-// A neighbour whose curvature differs by less than this shifts a smoothed line by less than a micrometre at the joint.
-constexpr double kSmoothJointPerMm = 0.01;
-constexpr double kReachMm = 1.5;  // a fit may be read this far beyond the points that were left out of it
-constexpr std::array<double, 4> kTrimDegrees = {1, 0.5, 0.25, 0};
-constexpr int kLongFitPoints = 30;  // a fit with so many points says how the points of a camera scatter
+constexpr double kReachMm = 1.5;       // a fit may be read this far beyond the points that were left out of it
+constexpr double kLongFitPoints = 30;  // a fit with so many points says how the points of a camera scatter
 constexpr double kPointsPerAbsorbed = 4;
 constexpr double kMisfit = 4;  // a fit that scatters so much more than the others is judged by itself
 
-/// By how much shared errors raise the variance of a mean over n points: c for long runs, less where the run is hardly
-/// longer than what is shared (exact for errors that are a moving average over c points).
-double sharedBy(double correlatedPoints, int n) {
-  const double c = correlatedPoints;
-  return std::max(1.0, c - (c * c - 1) / (3.0 * std::max(1, n)));
-}
-
-template <typename Local>
-GlobalDual lifted(const Local& local, std::size_t base, std::size_t count) {
-  GlobalDual global(local.value);
-  for (std::size_t i = 0; i < count; ++i) global.gradient[base + i] = local.gradient[i];
-  return global;
+std::vector<ChainFit> chainsOf(const Section& section, const SectionPlan& plan) {
+  std::vector<ChainFit> chains;
+  for (ChainPlan& chain : planChains(section, plan)) chains.emplace_back(section, std::move(chain));
+  return chains;
 }
 
 }  // namespace
 
 PrimitiveFits::PrimitiveFits(const Section& section, const SectionPlan& plan, const MeasurementSettings& settings)
-    : settings_(settings), footBottom_(plan.footBottom) {
-  for (const auto& p : section.primitives) names_.push_back(p.name);
-  for (ChainPlan& chain : planChains(section, plan)) chains_.emplace_back(section, std::move(chain));
-  makeBorders(section);
+    : settings_(settings),
+      footBottom_(plan.footBottom),
+      chains_(chainsOf(section, plan)),
+      groups_(section, plan.footBottom, chains_, settings) {
+  const Primitive& bottom = section.primitives[footBottom_].shape;
+  footSpanMm_ = {static_cast<float>(startPoint(bottom).x()), static_cast<float>(endPoint(bottom).x())};
   const std::size_t n = section.primitives.size();
-  counts_.resize(n);
-  coverage_.resize(n);
   shapes_.pieces.resize(n);
   shapes_.missing.resize(n);
-}
-
-void PrimitiveFits::makeBorders(const Section& section) {
-  const std::size_t n = section.primitives.size();
-  borders_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    Border& b = borders_[k];
-    const Primitive& shape = section.primitives[k].shape;
-    b.lengthMm = length(shape);
-    b.start = startPoint(shape);
-    b.end = endPoint(shape);
-    b.startTangent = tangentAt(shape, 0);
-    b.endTangent = tangentAt(shape, b.lengthMm);
-    b.chordMm = (b.end - b.start).norm();
-    b.chord = (b.end - b.start) / b.chordMm;
-    b.curvature = curvature(shape);
-    const auto smooth = [&](std::size_t neighbour) {
-      return std::abs(curvature(section.primitives[neighbour].shape) - b.curvature) < kSmoothJointPerMm;
-    };
-    b.trimStart = !smooth((k + n - 1) % n);
-    b.trimEnd = !smooth((k + 1) % n);
-  }
-  borders_[footBottom_].fit = kFootBottom;
-  for (std::size_t c = 0; c < chains_.size(); ++c) {
-    const auto& members = chains_[c].plan().primitives;
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      Border& b = borders_[members[m]];
-      b.fit = static_cast<int>(c);
-      b.position = m;
-      if (m > 0) b.trimStart = false;  // inside a chain both sides of the joint are modelled
-      if (m + 1 < members.size()) b.trimEnd = false;
-    }
-  }
-}
-
-void PrimitiveFits::gather(const Profile& profile, const Registration& registration) {
-  assigned_.clear();
-  for (auto& c : counts_) c.fill(0);
-  const Transform2 t = registration.worldFromSection.inverse();
-  const double c = std::cos(t.angleRad), s = std::sin(t.angleRad);
-  for (std::size_t i = 0; i < profile.points.size(); ++i) {
-    const std::int16_t k = registration.primitiveOfPoint[i];
-    if (k < 0) continue;
-    const Border& b = borders_[static_cast<std::size_t>(k)];
-    if (b.fit < 0) continue;
-    const ProfilePoint& p = profile.points[i];
-    // The ridge itself: the fit knows the bend better than the extraction, and neighbours that were smoothed together
-    // tell nothing twice.
-    const float given = p.ridgeSigmaMm > 0 ? p.ridgeSigmaMm : p.sigmaMm;
-    const double sigma = given > 0 ? given : kFallbackSigmaMm;
-    const double px = p.x - p.shiftMm * p.nx, py = p.y - p.shiftMm * p.ny;
-    Assigned a;
-    a.point = {c * px - s * py + t.xMm, s * px + c * py + t.yMm, 1 / (sigma * sigma),
-               0.5 * p.smoothingMm * p.smoothingMm, static_cast<std::uint8_t>(p.camera % kCameraCount)};
-    a.primitive = static_cast<std::uint16_t>(k);
-    const double dx = a.point.x - b.start.x(), dy = a.point.y - b.start.y();
-    a.alongMm = static_cast<float>(dx * b.chord.x() + dy * b.chord.y());
-    double margin = 1e6;
-    if (b.trimStart) margin = dx * b.startTangent.x() + dy * b.startTangent.y();
-    if (b.trimEnd)
-      margin =
-          std::min(margin, (b.end.x() - a.point.x) * b.endTangent.x() + (b.end.y() - a.point.y) * b.endTangent.y());
-    a.marginMm = static_cast<float>(margin);
-    auto& counts = counts_[a.primitive];
-    for (std::size_t d = 0; d < kTrimDegrees.size(); ++d) counts[d] += margin >= kTrimDegrees[d] * settings_.trimMm;
-    assigned_.push_back(a);
-  }
-}
-
-/// Coarse profiles (a point every 0.7 mm) leave too few points inside short primitives: they are trimmed less.
-double PrimitiveFits::trimOf(std::size_t primitive) const {
-  for (std::size_t d = 0; d < kTrimDegrees.size(); ++d)
-    if (counts_[primitive][d] >= settings_.minPoints) return kTrimDegrees[d] * settings_.trimMm;
-  return 0;
-}
-
-void PrimitiveFits::distribute() {
-  for (ChainFit& chain : chains_) chain.points().clear();
-  footFit_.points().clear();
-  for (Coverage& c : coverage_) c = {};
-  for (const Assigned& a : assigned_) {
-    if (a.marginMm < trimOf(a.primitive)) continue;
-    Coverage& c = coverage_[a.primitive];
-    ++c.points;
-    c.lowMm = std::min(c.lowMm, static_cast<double>(a.alongMm));
-    c.highMm = std::max(c.highMm, static_cast<double>(a.alongMm));
-    const int fit = borders_[a.primitive].fit;
-    (fit == kFootBottom ? footFit_.points() : chains_[static_cast<std::size_t>(fit)].points()).push_back(a.point);
+  blockOfFit_.resize(chains_.size() + 1);
+  for (std::size_t p = 0; p < n; ++p) {
+    names_.push_back(section.primitives[p].name);
+    lengthMm_.push_back(length(section.primitives[p].shape));
+    if (groups_.fitOf(p) == PointGroups::kNoFit) miss(p, names_[p] + " is not fitted");
   }
 }
 
 std::string PrimitiveFits::tooFew(std::size_t primitive) const {
-  const int n = coverage_[primitive].points;
+  const int n = groups_.pointsOf(primitive);
   if (n == 0) return "no points on " + names_[primitive];
   return "only " + std::to_string(n) + (n == 1 ? " point on " : " points on ") + names_[primitive] + ", " +
          std::to_string(settings_.minPoints) + " are needed";
 }
 
-double PrimitiveFits::arcLengthAt(const Border& b, double along) const {
-  if (b.curvature == 0) return along;
-  const double half = b.chordMm / 2, k = std::abs(b.curvature);
-  return b.lengthMm / 2 + std::asin(std::clamp((along - half) * k, -1.0, 1.0)) / k;
+std::size_t PrimitiveFits::nextBase() const {
+  return blocks_.empty() ? 0 : blocks_.back().base + blocks_.back().solution->unknowns;
 }
 
-void PrimitiveFits::fitFootBottom() {
-  if (coverage_[footBottom_].points < settings_.minPoints) return miss(footBottom_, tooFew(footBottom_));
-  footFit_.solve();
+void PrimitiveFits::fitFootBottom(double correlatedPoints) {
+  if (groups_.pointsOf(footBottom_) < settings_.minPoints) return miss(footBottom_, tooFew(footBottom_));
+  footFit_.solve(groups_.select(chains_.size(), 0, 0), correlatedPoints);
   if (!footFit_.solution().valid) return miss(footBottom_, "the points on " + names_[footBottom_] + " make no curve");
-  const Eigen::Vector3d& c = footFit_.coefficients();
-  constexpr double kScale = FootBottomFit::kFootScaleMm;
-  shapes_.footBottom = {GlobalDual::variable(c(0), 0), GlobalDual::variable(c(1), 1) / kScale,
-                        GlobalDual::variable(c(2), 2) / (kScale * kScale)};
-  blocks_.push_back({&footFit_.solution(), 0});
+  shapes_.footBottom = footFit_.parabola();
   miss(footBottom_, "");
+  blockOfFit_[chains_.size()] = blocks_.size();
+  blocks_.push_back({&footFit_.solution(), nextBase()});
 }
 
-void PrimitiveFits::fitChain(std::size_t index) {
+void PrimitiveFits::fitChain(std::size_t index, double correlatedPoints) {
   ChainFit& chain = chains_[index];
   const auto& members = chain.plan().primitives;
-  const auto enough = [&](std::size_t m) { return coverage_[members[m]].points >= settings_.minPoints; };
+  const auto enough = [&](std::size_t m) { return groups_.pointsOf(members[m]) >= settings_.minPoints; };
   const std::size_t anchor = chain.plan().anchor;
   if (!enough(anchor)) {
-    for (const std::size_t p : members) miss(p, tooFew(enough(borders_[p].position) ? members[anchor] : p));
+    for (std::size_t m = 0; m < members.size(); ++m) miss(members[m], tooFew(members[enough(m) ? anchor : m]));
     return;
   }
   // Neighbours without points leave the chain from its ends inwards; a short arc is worth keeping only inside.
   std::size_t first = 0, last = members.size() - 1;
-  const auto bears = [&](std::size_t m) { return enough(m) && borders_[members[m]].lengthMm >= kShortArcMm; };
+  const auto bears = [&](std::size_t m) { return enough(m) && lengthMm_[members[m]] >= kShortArcMm; };
   while (first < anchor && !bears(first)) ++first;
   while (last > anchor && !bears(last)) --last;
   for (std::size_t m = 0; m < members.size(); ++m)
     if (m < first || m > last) miss(members[m], tooFew(members[m]));
-  if (first > 0 || last + 1 < members.size()) {
-    const auto outside = [&](const Assigned& a) {
-      const std::size_t m = borders_[a.primitive].position;
-      return m < first || m > last;
-    };
-    chain.points().clear();
-    for (const Assigned& a : assigned_)
-      if (borders_[a.primitive].fit == static_cast<int>(index) && a.marginMm >= trimOf(a.primitive) && !outside(a))
-        chain.points().push_back(a.point);
-  }
-  chain.solve(first, last);
-  std::size_t base = 3;
-  for (const Block& b : blocks_) base = std::max(base, b.base + b.solution->unknowns);
-  const bool fits = base + chain.solution().unknowns <= kMaxGlobalUnknowns;
-  if (!chain.solution().valid || !fits) {
+  chain.solve(groups_.select(index, first, last), first, last, correlatedPoints);
+  if (!chain.solution().valid || nextBase() + chain.solution().unknowns > kMaxGlobalUnknowns) {
     for (std::size_t m = first; m <= last; ++m)
       miss(members[m], "the points on " + names_[members[m]] + " make no curve");
     return;
   }
-  publishChain(index, first, last, base);
+  publishChain(index, first, last);
 }
 
-void PrimitiveFits::publishChain(std::size_t index, std::size_t first, std::size_t last, std::size_t base) {
+void PrimitiveFits::publishChain(std::size_t index, std::size_t first, std::size_t last) {
   const ChainFit& chain = chains_[index];
-  const auto& members = chain.plan().primitives;
-  const std::size_t count = chain.solution().unknowns;
   for (std::size_t m = first; m <= last; ++m) {
-    const CurvePiece<LocalDual>& local = chain.piece(m);
-    const std::size_t p = members[m];
-    CurvePiece<GlobalDual>& global = shapes_.pieces[p];
-    global.origin = {lifted(local.origin.x, base, count), lifted(local.origin.y, base, count)};
-    global.tangent = {lifted(local.tangent.x, base, count), lifted(local.tangent.y, base, count)};
-    global.curvature = lifted(local.curvature, base, count);
-    global.fromMm = local.fromMm;
-    global.toMm = local.toMm;
+    const std::size_t p = chain.plan().primitives[m];
+    CurvePiece& piece = shapes_.pieces[p];
+    piece = chain.piece(m).piece;
+    piece.origin = {piece.origin.x + chain.origin().x, piece.origin.y + chain.origin().y};
     // At its ends a chain may be read as far as its points went, and over what was trimmed.
-    const double reach = settings_.trimMm + kReachMm;
-    const Coverage& c = coverage_[p];
-    if (m == first) global.fromMm += arcLengthAt(borders_[p], c.lowMm) - reach;
-    if (m == last) global.toMm += arcLengthAt(borders_[p], c.highMm) - borders_[p].lengthMm + reach;
+    const double slack = settings_.trimMm + kReachMm;
+    const auto reach = groups_.reachOf(p);
+    if (m == first) piece.fromMm -= reach[0] + slack;
+    if (m == last) piece.toMm += reach[1] + slack;
     miss(p, "");
   }
-  blocks_.push_back({&chain.solution(), base});
+  blockOfFit_[index] = blocks_.size();
+  blocks_.push_back({&chain.solution(), nextBase()});
 }
 
-/// The scatter of the points about the fits tells how right their sigmas are: speckle and roughness show there.
-void PrimitiveFits::pool(double correlatedPoints) {
+/// The scatter of the points about the fits tells how right their sigmas are: speckle and roughness show there. A fit
+/// lowers it by what it absorbs.
+void PrimitiveFits::pool() {
   sorted_.clear();
-  // Each unknown takes the freedom of as many points as share an error; on short primitives that count is too rough.
-  const auto absorbed = [&](const FitSolution& s) { return static_cast<double>(s.unknowns) * correlatedPoints; };
   const auto isLong = [&](const FitSolution& s) {
-    return s.scatter.total() >= std::max<double>(kLongFitPoints, kPointsPerAbsorbed * absorbed(s));
+    return s.scatter.total() >= std::max(kLongFitPoints, kPointsPerAbsorbed * s.absorbed);
   };
-  const auto reduced = [&](const FitSolution& s) { return s.scatter.sum() / (s.scatter.total() - absorbed(s)); };
+  const auto reduced = [&](const FitSolution& s) { return s.scatter.sum() / (s.scatter.total() - s.absorbed); };
   for (const Block& b : blocks_)
     if (isLong(*b.solution)) sorted_.push_back(reduced(*b.solution));
   double usual = 1;
@@ -238,9 +120,9 @@ void PrimitiveFits::pool(double correlatedPoints) {
   std::array<double, kCameraCount> chi2{}, freedom{};
   for (const Block& b : blocks_) {
     const FitScatter& s = b.solution->scatter;
-    const int total = s.total();
+    const double total = s.total();
     if (!isLong(*b.solution) || reduced(*b.solution) > kMisfit * usual) continue;
-    const double share = 1 - absorbed(*b.solution) / total;
+    const double share = 1 - b.solution->absorbed / total;
     for (std::size_t c = 0; c < chi2.size(); ++c) {
       chi2[c] += s.chi2[c];
       freedom[c] += s.points[c] * share;
@@ -251,78 +133,93 @@ void PrimitiveFits::pool(double correlatedPoints) {
     double factor = 0;
     for (std::size_t c = 0; c < chi2.size(); ++c)
       factor += s.points[c] * (freedom[c] > kLongFitPoints ? std::max(1.0, chi2[c] / freedom[c]) : 1.0);
-    factor /= std::max(1, s.total());
+    factor /= std::max(1.0, s.total());
     if (isLong(*b.solution) && reduced(*b.solution) > kMisfit * std::max(1.0, usual))
       factor = std::max(factor, reduced(*b.solution));
-    b.factor = factor * sharedBy(correlatedPoints, s.total());
+    b.factor = factor;
   }
 }
 
-void PrimitiveFits::fit(const Profile& profile, const Registration& registration) {
-  gather(profile, registration);
-  distribute();
+void PrimitiveFits::fit(const Profile& profile, const Registration& registration, double cold) {
+  groups_.gather(profile, registration, cold);
   blocks_.clear();
-  fitFootBottom();
-  for (std::size_t c = 0; c < chains_.size(); ++c) fitChain(c);
-  for (std::size_t p = 0; p < borders_.size(); ++p)
-    if (borders_[p].fit < 0) miss(p, names_[p] + " is not fitted");
-  pool(std::max(1.0, static_cast<double>(profile.correlatedPoints)));
+  std::fill(blockOfFit_.begin(), blockOfFit_.end(), kNoBlock);
+  const auto correlatedPoints = static_cast<double>(profile.correlatedPoints);
+  fitFootBottom(correlatedPoints);
+  for (std::size_t c = 0; c < chains_.size(); ++c) fitChain(c, correlatedPoints);
+  pool();
 }
 
-double PrimitiveFits::covariance(const GlobalDual& a, const GlobalDual& b) const {
-  double sum = 0;
-  for (const Block& block : blocks_) {
-    const std::size_t n = block.solution->unknowns;
-    double part = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double g = a.gradient[block.base + i];
-      if (g == 0) continue;
-      double row = 0;
-      for (std::size_t j = 0; j < n; ++j)
-        row += block.solution->covariance(static_cast<int>(i), static_cast<int>(j)) * b.gradient[block.base + j];
-      part += g * row;
+Deviations PrimitiveFits::deviations(const Reading& reading) const {
+  Deviations all{};
+  // A term after another: several primitives of one chain share their unknowns.
+  std::array<std::size_t, Reading::kMaxTerms> blocks{};
+  std::array<UnknownVector, Reading::kMaxTerms> gradients;
+  std::size_t used = 0;
+  for (const Reading::Term& term : reading) {
+    const bool foot = term.mover == kFootBottomMover;
+    const std::size_t p = foot ? footBottom_ : primitiveOf(term.mover);
+    const auto fit = static_cast<std::size_t>(groups_.fitOf(p));
+    std::size_t at = 0;
+    while (at < used && blocks[at] != blockOfFit_[fit]) ++at;
+    if (at == used) {
+      blocks[used] = blockOfFit_[fit];
+      gradients[used++] = {};
     }
-    sum += part * block.factor;
+    UnknownVector& g = gradients[at];
+    if (foot) {
+      g = FootBottomFit::gradient(term.slopes);
+      continue;
+    }
+    const auto& frame = chains_[fit].piece(groups_.placeOf(p)).perUnknown;
+    for (std::size_t k = 0; k < frame.size(); ++k)
+      for (std::size_t i = 0; i < kMaxUnknowns; ++i) g[i] += term.slopes[k] * frame[k][i];
   }
-  return sum;
+  for (std::size_t at = 0; at < used; ++at) {
+    const Block& block = blocks_[blocks[at]];
+    const UnknownVector own = block.solution->deviations(gradients[at]);
+    const double scale = std::sqrt(block.factor);
+    for (std::size_t i = 0; i < block.solution->unknowns; ++i) all[block.base + i] = scale * own[i];
+  }
+  return all;
 }
 
 int PrimitiveFits::pointsOn(const PrimitiveSet& primitives) const {
   int n = 0;
-  for (std::size_t p = 0; p < coverage_.size(); ++p)
-    if (primitives.test(p)) n += coverage_[p].points;
+  for (std::size_t p = 0; p < names_.size(); ++p)
+    if (primitives.test(p)) n += groups_.pointsOf(p);
   return n;
 }
 
-void PrimitiveFits::describe(const Transform2& worldFromSection, std::vector<FittedPrimitive>& fitted) const {
+void PrimitiveFits::describe(const Transform2& worldFromSection, double cold,
+                             std::vector<FittedPrimitive>& fitted) const {
   fitted.clear();
-  for (std::size_t p = 0; p < borders_.size(); ++p) {
+  for (std::size_t p = 0; p < names_.size(); ++p) {
     if (!shapes_.missing[p].empty()) continue;
-    const Border& b = borders_[p];
-    const Coverage& c = coverage_[p];
     FittedPrimitive f;
     f.primitive = p;
-    f.points = c.points;
-    CurvePiece<double> piece;
+    f.points = groups_.pointsOf(p);
+    CurvePiece piece;
     double from = 0, to = 0;
-    if (b.fit == kFootBottom) {  // the parabola as its circle of curvature
-      const Eigen::Vector3d& k = footFit_.coefficients();
-      constexpr double kScale = FootBottomFit::kFootScaleMm;
-      const double slope = k(1) / kScale, norm = std::hypot(1.0, slope);
-      piece = {{0, k(0)}, {1 / norm, slope / norm}, 2 * k(2) / (kScale * kScale * norm * norm * norm), 0, 0};
-      from = b.start.x();
-      to = b.end.x();
+    if (p == footBottom_) {  // the parabola as its circle of curvature
+      const Parabola& k = shapes_.footBottom;
+      const double norm = std::hypot(1.0, k.c1);
+      piece = {{0, k.c0}, {1 / norm, k.c1 / norm}, 2 * k.c2 / (norm * norm * norm), 0, 0};
+      from = static_cast<double>(footSpanMm_.low);
+      to = static_cast<double>(footSpanMm_.high);
       f.rmsMm = std::sqrt(footFit_.solution().meanSquareMm2);
     } else {
-      const CurvePiece<GlobalDual>& g = shapes_.pieces[p];
-      piece = {{g.origin.x.value, g.origin.y.value}, {g.tangent.x.value, g.tangent.y.value}, g.curvature.value, 0, 0};
-      const double reach = settings_.trimMm + kReachMm;
-      const auto& chain = chains_[static_cast<std::size_t>(b.fit)];
-      from = chain.piece(b.position).fromMm == g.fromMm ? g.fromMm : g.fromMm + reach;
-      to = chain.piece(b.position).toMm == g.toMm ? g.toMm : g.toMm - reach;
+      piece = shapes_.pieces[p];
+      const auto& chain = chains_[static_cast<std::size_t>(groups_.fitOf(p))];
+      const CurvePiece& own = chain.piece(groups_.placeOf(p)).piece;
+      const double slack = settings_.trimMm + kReachMm;
+      from = own.fromMm == piece.fromMm ? piece.fromMm : piece.fromMm + slack;
+      to = own.toMm == piece.toMm ? piece.toMm : piece.toMm - slack;
       f.rmsMm = std::sqrt(chain.solution().meanSquareMm2);
     }
-    f.shape = transformed(worldFromSection, primitiveOf(piece, from, to));
+    piece.origin = {piece.origin.x / cold, piece.origin.y / cold};  // as hot as it is in the world
+    piece.curvature *= cold;
+    f.shape = transformed(worldFromSection, primitiveOf(piece, from / cold, to / cold));
     fitted.push_back(f);
   }
 }

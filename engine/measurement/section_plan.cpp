@@ -63,7 +63,7 @@ class Walk {
   std::vector<std::size_t> order_;
 };
 
-bool within(const CurvePiece<double>& piece, double x, double y) {
+bool within(const CurvePiece& piece, double x, double y) {
   const double s = arcPosition(piece, x, y);
   return s >= piece.fromMm - kOnPrimitiveMm && s <= piece.toMm + kOnPrimitiveMm;
 }
@@ -71,14 +71,14 @@ bool within(const CurvePiece<double>& piece, double x, double y) {
 /// Height of the primitive over x, if x lies over it.
 std::optional<double> heightOver(const Section& section, std::size_t primitive, double x) {
   const Primitive& shape = section.primitives[primitive].shape;
-  const CurvePiece<double> piece = pieceOf(shape, length(shape) / 2);
+  const CurvePiece piece = pieceOf(shape, length(shape) / 2);
   const auto y = ordinateAt(piece, x);
   return y && within(piece, x, *y) ? y : std::nullopt;
 }
 
 std::optional<double> xAtHeight(const Section& section, std::size_t primitive, double y) {
   const Primitive& shape = section.primitives[primitive].shape;
-  const CurvePiece<double> piece = pieceOf(shape, length(shape) / 2);
+  const CurvePiece piece = pieceOf(shape, length(shape) / 2);
   const auto x = abscissaAt(piece, y);
   return x && within(piece, *x, y) ? x : std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "engine/rail/catalogue.h"
 
@@ -62,6 +63,53 @@ TEST_F(RailSummaryTest, MeanExtremesAndUncertainty) {
   EXPECT_NEAR(*rh(summary).upperMm, 172.6, 1e-6);
   EXPECT_EQ(rh(summary).verdict, Verdict::Pass);
   EXPECT_NEAR(summary.lengthM, 0.4, 1e-12);
+}
+
+TEST(RadiusMean, WeighsCurvaturesWhereThePlainMeanOfTheRadiiIsSkewed) {
+  // Every other profile four times as uncertain. The plain mean of radii is off by their u^2 / R.
+  constexpr double kRadius = 300, kU = 2.5e-4;
+  constexpr int kRails = 2000, kProfiles = 100;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, 1);
+  double plain = 0, error = 0, overU = 0;
+  for (int r = 0; r < kRails; ++r) {
+    RadiusMean mean;
+    for (int i = 0; i < kProfiles; ++i) {
+      const double u = i % 2 == 0 ? kU : 4 * kU, curvature = 1 / kRadius + u * normal(random);
+      mean.add(1 / curvature, u / (curvature * curvature));
+      plain += (1 / curvature - kRadius) / (kRails * kProfiles);
+    }
+    const double e = mean.radiusMm() - kRadius;
+    error += e / kRails;
+    overU += e * e / (mean.uMm() * mean.uMm() * kRails);
+  }
+  // Fifty good profiles and fifty of a sixteenth of their weight: u of a rail's mean is 3.1 mm.
+  EXPECT_LT(std::abs(error), 0.3);
+  EXPECT_NEAR(overU, 1, 0.12);
+  EXPECT_GT(plain, 5);
+}
+
+TEST_F(RailSummaryTest, TheHeadsRadiusIsThatOfTheMeanCurvature) {
+  RailSummariser summariser(rail, recipe, "cal");
+  for (const auto& [radius, u] : {std::pair(250.0, 2.5), std::pair(500.0, 40.0)}) {
+    ProfileResult one = profile(0, 0.0);
+    one.measurement.dimensions[index(Dimension::HR)].valueMm = radius;
+    one.measurement.dimensions[index(Dimension::HR)].uMm = u;
+    summariser.add(one);
+  }
+  const RailSummary summary = summariser.summary({});
+  const DimensionSummary& hr = summary.dimensions[index(Dimension::HR)];
+  // Curvatures 0.004 with u 4e-5 and 0.002 with u 1.6e-4: weights 16 to 1.
+  EXPECT_NEAR(hr.meanMm(), 1 / ((16 * 0.004 + 0.002) / 17), 1e-9);
+  EXPECT_NEAR(hr.uOfMeanMm(), hr.meanMm() * hr.meanMm() * 4e-5 * std::sqrt(16 / 17.0), 1e-9);
+  EXPECT_NEAR(hr.values.mean(), 375, 1e-9);
+}
+
+TEST_F(RailSummaryTest, AMeanOfOtherDimensionsIsPlainAndItsUncertaintyFallsWithTheProfiles) {
+  const RailSummary summary = summarise({0.1, -0.1, 0.3, 0.1});
+  EXPECT_EQ(rh(summary).meanMm(), rh(summary).values.mean());
+  EXPECT_NEAR(rh(summary).uOfMeanMm(), 0.005, 1e-12);
+  EXPECT_EQ(summary.dimensions[index(Dimension::HR)].meanMm(), 0);
 }
 
 TEST_F(RailSummaryTest, ThreeConsecutiveFailuresAreAnExceptionTwoAreNot) {

@@ -272,6 +272,8 @@ TEST(Uncertainty, AgreesWithMonteCarloForIndependentPoints) { monteCarlo("60E1",
 TEST(Uncertainty, AgreesWithMonteCarloForPointsThatShareTheirError) { monteCarlo("60E1", 9, 1, 0.8, 1.25); }
 TEST(Uncertainty, AgreesOnA54E1WithItsWebOfOneArc) { monteCarlo("54E1", 9, 1, 0.8, 1.25); }
 TEST(Uncertainty, AgreesOnA60E2WithFourRadii) { monteCarlo("60E2", 1, 1, 0.8, 1.25); }
+TEST(Uncertainty, AgreesOnA49E5WithItsTightCrown) { monteCarlo("49E5", 9, 1, 0.8, 1.25); }
+TEST(Uncertainty, AgreesOnTheShortFishingSurfacesOfAnAsymmetricRail) { monteCarlo("ASYM54", 9, 1, 0.8, 1.25); }
 TEST(Uncertainty, TheScatterCorrectsSigmasThatWereTooSmall) { monteCarlo("60E1", 1, 0.5, 0.8, 1.25); }
 
 }  // namespace
