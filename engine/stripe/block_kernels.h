@@ -6,7 +6,8 @@
 
 namespace vignole {
 
-/// Sums of `blocks` blocks of 8 x 8 pixels side by side, from the eight rows that start at `pixels`.
+/// Sums of the pixels of every second row (the first, the third ...) in `blocks` blocks of 8 x 8 side by side, from the
+/// eight rows that start at `pixels`. Asks for the same rows of the blocks below on the way.
 void sumBlockRow(const std::uint8_t* pixels, std::ptrdiff_t stride, std::size_t blocks, std::uint16_t* sums);
 
 /// Sums of |upper - lower| over four pairs of neighbouring rows (0-1, 2-3, 4-5, 6-7): 32 differences a block.

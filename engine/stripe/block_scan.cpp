@@ -10,17 +10,18 @@
 namespace vignole {
 namespace {
 
-constexpr std::uint16_t kNothing = 0xFFFF;  // neutral for a minimum
-constexpr int kNoiseSampling = 8;           // every so many block rows
-constexpr float kPixels = kBlock * kBlock;
+constexpr std::uint16_t kNothing = 0xFFFF;    // neutral for a minimum
+constexpr int kNoiseSampling = 8;             // every so many block rows
+constexpr int kSummed = kBlock * kBlock / 2;  // pixels of a block that are looked at: those of every second row
+constexpr float kPixels = kSummed;
 constexpr float kRoundingDn = 0.2887F;  // 1 / sqrt(12)
 
 /// A block of which only `width` x `height` pixels lie in the picture.
 std::uint16_t cutBlockSum(const std::uint8_t* pixels, std::ptrdiff_t stride, int width, int height) {
   unsigned sum = 0;
-  for (int y = 0; y < height; ++y, pixels += stride)
+  for (int y = 0; y < height; y += 2, pixels += 2 * stride)
     for (int x = 0; x < width; ++x) sum += pixels[x];
-  return static_cast<std::uint16_t>(sum * kBlock * kBlock / static_cast<unsigned>(width * height));
+  return static_cast<std::uint16_t>(sum * kSummed / static_cast<unsigned>(width * ((height + 1) / 2)));
 }
 
 /// The value that half of them do not exceed, by counting (all below `limit`).
@@ -66,6 +67,7 @@ void BlockScan::resize(const ImageView& image) {
   differences_.reserve(blocks);
   sampled_.reserve(blocks);
   runs_.reserve(blocks / 2 + 1);
+  beginOfRow_.reserve(static_cast<std::size_t>(rows_) + 1);
 }
 
 void BlockScan::sumRow(int r) {
@@ -103,8 +105,8 @@ void BlockScan::measureNoise() {
   // E|a - b| = 2 sigma / sqrt(pi) for two normal numbers; a median over blocks because the stripe is in few of them.
   const float meanDifference = static_cast<float>(medianByCounting(differences_, 32 * 255 + 1, histogram_)) / 32;
   noiseDn_ = std::max(kRoundingDn, meanDifference * std::sqrt(std::numbers::pi_v<float>) / 2);
-  for (std::uint16_t& s : sampled_) s = static_cast<std::uint16_t>(s >> 3U);
-  backgroundDn_ = static_cast<float>(medianByCounting(sampled_, 64 * 255 / 8 + 1, histogram_)) * 8 / kPixels;
+  for (std::uint16_t& s : sampled_) s = static_cast<std::uint16_t>(s >> 2U);
+  backgroundDn_ = static_cast<float>(medianByCounting(sampled_, kSummed * 255 / 4 + 1, histogram_)) * 4 / kPixels;
 }
 
 void BlockScan::findBackground(int r) {
@@ -127,7 +129,7 @@ void BlockScan::begin(const ImageView& image, const BlockScanSettings& settings)
   resize(image);
   sample();
   measureNoise();
-  const double blockNoiseDn = noiseDn_ / kBlock;  // a mean of 64 pixels
+  const double blockNoiseDn = noiseDn_ / std::sqrt(static_cast<double>(kSummed));
   const double window = (2.0 * settings.radius + 1) * (2.0 * settings.radius + 1);
   minimumBiasDn_ = static_cast<float>(expectedMinimum(window) * blockNoiseDn);
   const double thresholdDn = minimumBiasDn_ + std::max(settings.leastContrast, settings.noiseFactor * blockNoiseDn);
@@ -135,16 +137,26 @@ void BlockScan::begin(const ImageView& image, const BlockScanSettings& settings)
   candidates_ = 0;
   summed_ = bordered_ = 0;
   runs_.clear();
+  beginOfRow_.assign(1, 0);
 }
 
-std::span<const BlockRun> BlockScan::settle(int row) {
+void BlockScan::settle(int row) {
   for (; bordered_ <= std::min(rows_ - 1, row + 1); ++bordered_) findBackground(bordered_);
   std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(row) * words_;
   markBlocks(at(excess_, row), static_cast<std::ptrdiff_t>(pitch_), floor_, static_cast<std::size_t>(columns_), marks);
   for (std::size_t w = 0; w < words_; ++w) candidates_ += static_cast<std::size_t>(std::popcount(marks[w]));
-  const std::size_t before = runs_.size();
   collectRuns(row);
-  return std::span(runs_).subspan(before);
+  for (std::size_t i = beginOfRow_.back(); i < runs_.size(); ++i) askFor(runs_[i]);
+  beginOfRow_.push_back(runs_.size());
+}
+
+// The rows that the sums left out, where there is light: the next stage will want them.
+void BlockScan::askFor(const BlockRun& run) const {
+  constexpr int kAround = 8, kLine = 64;
+  const int left = std::max(0, run.first * kBlock - kAround);
+  const int right = std::min(width_, (run.first + run.count) * kBlock + kAround);
+  for (int y = run.row * kBlock + 1; y < std::min(height_, (run.row + 1) * kBlock); y += 2)
+    for (int x = left; x < right + kLine - 1; x += kLine) __builtin_prefetch(image_.row(y) + std::min(x, right - 1));
 }
 
 void BlockScan::cap() {
@@ -165,7 +177,11 @@ void BlockScan::cap() {
     if (excess < level) word &= ~bit;
   });
   runs_.clear();
-  for (int row = 0; row < rows_; ++row) collectRuns(row);
+  beginOfRow_.assign(1, 0);
+  for (int row = 0; row < rows_; ++row) {
+    collectRuns(row);
+    beginOfRow_.push_back(runs_.size());
+  }
 }
 
 void BlockScan::collectRuns(int row) {

@@ -1,5 +1,6 @@
 #pragma once
-// First look at a frame, at the speed of memory: where is there light, how noisy is a pixel. Works on 8 x 8 blocks.
+// First look at a frame, at the speed of memory: where is there light, how noisy is a pixel. Works on 8 x 8 blocks, of
+// which every second row of pixels is read: half of the way to memory, and a line of 1 px still shows in full.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,8 @@ inline constexpr int kBlock = 8;  ///< side of a block, px
 struct BlockScanSettings {
   int radius = 3;            ///< the background of a block is the darkest of the blocks that far around it (<= 8)
   double leastContrast = 2;  ///< a block counts when its mean is that far above its background, DN ...
-  double noiseFactor = 4.5;  ///< ... and at least this many standard deviations of a block's mean
-  int maxBlocks = 9000;      ///< budget; of more blocks the brightest are kept and the scan says `overloaded`
+  double noiseFactor = 3.2;  ///< ... and at least this many standard deviations of its mean: noise marks 1 in 1,500
+  int maxBlocks = 3000;      ///< budget; of more blocks the brightest are kept and the scan says `overloaded`
 };
 
 /// Blocks `first` .. `first + count` of block row `row`, side by side.
@@ -26,13 +27,18 @@ struct BlockRun {
 
 /// Row by row, so that the pixels of the rows to come are on their way from memory while the next stage works on those
 /// that are settled. Buffers live from frame to frame. Blocks cut by the right or lower edge have their sums scaled to
-/// 64 pixels.
+/// those of whole ones.
 class BlockScan {
  public:
   /// Measures noise and background on a sample of the block rows; every later call is about this image.
   void begin(const ImageView& image, const BlockScanSettings& settings);
-  /// The candidates of block row `row`, which must be 0, 1, 2 ... in turn. Looks `radius` + 1 rows ahead.
-  std::span<const BlockRun> settle(int row);
+  /// Finds the candidates of block row `row`, which must be 0, 1, 2 ... in turn. Looks `radius` + 1 rows ahead.
+  void settle(int row);
+  /// Of a row that is settled.
+  [[nodiscard]] std::span<const BlockRun> runsOf(int row) const {
+    const auto r = static_cast<std::size_t>(row);
+    return std::span(runs_).subspan(beginOfRow_[r], beginOfRow_[r + 1] - beginOfRow_[r]);
+  }
   /// After the last row of a frame that is overloaded: keeps the brightest maxBlocks and leaves them in runs().
   void cap();
 
@@ -58,6 +64,7 @@ class BlockScan {
   void measureNoise();
   void findBackground(int row);
   void collectRuns(int row);
+  void askFor(const BlockRun& run) const;
   [[nodiscard]] std::uint16_t* at(Grid& grid, int row) { return grid.data() + offset(row); }
   [[nodiscard]] std::size_t offset(int row) const;
 
@@ -77,6 +84,7 @@ class BlockScan {
   std::vector<std::uint16_t> differences_, sampled_;  // of the block rows that are sampled for the noise
   std::vector<std::uint32_t> histogram_;
   std::vector<BlockRun> runs_;
+  std::vector<std::size_t> beginOfRow_;  // of each settled row in runs_, and one more
 };
 
 }  // namespace vignole

@@ -12,20 +12,6 @@ constexpr std::array<float, 3> kSeedLevels{8, 3, 1};
 /// Distance weighs less than leaving the direction: the next point is the one straight ahead.
 float stepCost(float along, float across, float turn) { return 0.3F * along + 2 * across + turn; }
 
-struct Neighbour {
-  std::ptrdiff_t offset = 0;
-  float dx = 0, dy = 0;
-};
-
-constexpr std::array<Neighbour, 8> kNeighbours{{{-RidgePoints::kMapPitch - 1, -1, -1},
-                                                {-RidgePoints::kMapPitch, 0, -1},
-                                                {-RidgePoints::kMapPitch + 1, 1, -1},
-                                                {-1, -1, 0},
-                                                {1, 1, 0},
-                                                {RidgePoints::kMapPitch - 1, -1, 1},
-                                                {RidgePoints::kMapPitch, 0, 1},
-                                                {RidgePoints::kMapPitch + 1, 1, 1}}};
-
 }  // namespace
 
 // The best of the eight neighbours that lie ahead. The others abreast of it, or of the point, are used up on the way.
@@ -37,21 +23,26 @@ int LineLinker::successor(const RidgePoints& ridges, const Step& from) {
   std::size_t count = 0;
   int best = -1;
   float bestCost = 0, bestAlong = 0;
-  for (const Neighbour& n : kNeighbours) {
-    const std::uint32_t entry = map[n.offset];
-    // Its sub-pixel point may be half a pixel off in both directions: nothing behind that can be ahead.
-    if (entry == 0 || n.dx * from.tx + n.dy * from.ty < -0.75F) continue;
-    const std::uint32_t index = entry - 1;
-    if (used_[index] != 0) continue;
-    const float ex = points.x[index] - x, ey = points.y[index] - y;
-    const float along = ex * from.tx + ey * from.ty, across = std::abs(ex * from.ty - ey * from.tx);
-    ahead[count++] = {index, along};
-    if (along <= 0.05F) continue;
-    const float cost = stepCost(along, across, 1 - std::abs(points.nx[index] * nx + points.ny[index] * ny));
-    if (best < 0 || cost < bestCost) {
-      best = static_cast<int>(index);
-      bestCost = cost;
-      bestAlong = along;
+  for (int dy = -1; dy <= 1; ++dy) {
+    const std::uint16_t* row = map + dy * RidgePoints::kMapPitch;
+    if ((row[-1] | row[0] | row[1]) == 0) continue;
+    const float vertical = static_cast<float>(dy) * from.ty;
+    for (int dx = -1; dx <= 1; ++dx) {
+      const std::uint32_t entry = row[dx];
+      // Its sub-pixel point may be half a pixel off in both directions: nothing behind that can be ahead.
+      if (entry == 0 || (dx == 0 && dy == 0) || static_cast<float>(dx) * from.tx + vertical < -0.75F) continue;
+      const std::uint32_t index = entry - 1;
+      if (used_[index] != 0) continue;
+      const float ex = points.x[index] - x, ey = points.y[index] - y;
+      const float along = ex * from.tx + ey * from.ty, across = std::abs(ex * from.ty - ey * from.tx);
+      ahead[count++] = {index, along};
+      if (along <= 0.05F) continue;
+      const float cost = stepCost(along, across, 1 - std::abs(points.nx[index] * nx + points.ny[index] * ny));
+      if (best < 0 || cost < bestCost) {
+        best = static_cast<int>(index);
+        bestCost = cost;
+        bestAlong = along;
+      }
     }
   }
   if (best < 0) return best;

@@ -63,7 +63,7 @@ HWY_INLINE void smoothRows(const float* taps, int length, std::size_t i, RidgeBa
 // A pixel may hold a point if the line's distance along its normal, by an approximate direction, is at most half a
 // diagonal (with a margin that covers the approximation). `s` points at the pixel one row and one column before in the
 // smoothed band.
-HWY_INLINE void gatherCandidates(const float* s, std::size_t width, std::uint32_t pixel, float leastRidge,
+HWY_INLINE void gatherCandidates(const float* s, std::size_t width, hn::Vec<decltype(kPixels)> pixels, float leastRidge,
                                  RidgeCandidates& out) {
   constexpr std::size_t kPitch = RidgeBand::kPitch;
   const auto at = [s](std::size_t y, std::size_t x) HWY_ATTR { return hn::LoadU(kFloats, s + y * kPitch + x); };
@@ -97,7 +97,6 @@ HWY_INLINE void gatherCandidates(const float* s, std::size_t width, std::uint32_
   hn::StoreU(hn::Compress(dxy, found), kFloats, out.dxy.data() + n);
   hn::StoreU(hn::Compress(dyy, found), kFloats, out.dyy.data() + n);
   hn::StoreU(hn::Compress(centre, found), kFloats, out.smoothed.data() + n);
-  const auto pixels = hn::Iota(kPixels, pixel);
   hn::StoreU(hn::Compress(pixels, hn::RebindMask(kPixels, found)), kPixels, out.pixel.data() + n);
   out.size = n + count;
 }
@@ -154,10 +153,12 @@ void findCandidates(const std::uint8_t* pixels, std::ptrdiff_t stride, int width
                     const RidgeFilter& filter, RidgeBand& band, RidgeCandidates& candidates) {
   smooth(pixels, stride, width, filter, band);
   const auto inner = static_cast<std::size_t>(width);
+  const auto ahead = hn::Iota(kPixels, 0U);
   for (int y = 0; y < height; ++y)
     for (std::size_t i = 0; i < inner; i += hn::Lanes(kFloats))
       gatherCandidates(band.smoothed[static_cast<std::size_t>(y)].data() + i, inner - i,
-                       packedPixel(column + static_cast<int>(i), row + y), filter.leastRidge, candidates);
+                       hn::Add(ahead, hn::Set(kPixels, packedPixel(column + static_cast<int>(i), row + y))),
+                       filter.leastRidge, candidates);
 }
 
 void smoothNine(const std::uint8_t* pixels, std::ptrdiff_t stride, const RidgeFilter& filter, float* nine) {

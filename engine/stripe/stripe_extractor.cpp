@@ -356,9 +356,10 @@ void StripeExtractor::Impl::write(StripeResult& result) {
 // begins anew with the brightest.
 void StripeExtractor::Impl::findRidges(const ImageView& image) {
   ridges.begin(image, filter);
-  for (int row = 0; row < scan.rows(); ++row) {
-    const std::span<const BlockRun> runs = scan.settle(row);
-    if (!scan.overloaded()) ridges.find(runs);
+  constexpr int kBehind = 2;  // rows until what the scan asked for has come
+  for (int row = 0; row < scan.rows() + kBehind; ++row) {
+    if (row < scan.rows()) scan.settle(row);
+    if (row >= kBehind && !scan.overloaded()) ridges.find(scan.runsOf(row - kBehind));
   }
   if (scan.overloaded()) {
     scan.cap();

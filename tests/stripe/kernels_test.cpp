@@ -78,7 +78,7 @@ TEST(BlockScan, MarksTheBlocksOfTheLineAndFewOthers) {
   onEveryTarget([&] {
     BlockScan scan;
     scan.begin(scene.view(), {});
-    for (int row = 0; row < scan.rows(); ++row) (void)scan.settle(row);
+    for (int row = 0; row < scan.rows(); ++row) scan.settle(row);
     std::vector<char> marked(static_cast<std::size_t>(scan.columns() * scan.rows()), 0);
     for (const BlockRun& run : scan.runs())
       for (int c = 0; c < run.count; ++c)
