@@ -131,6 +131,8 @@ void markRow(const std::uint16_t* excess, std::ptrdiff_t pitch, std::uint16_t fl
   for (std::size_t word = 0; 64 * word < count; ++word) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < 64; i += lanes) {
+      const auto own = hn::LoadU(kShorts, excess + 64 * word + i);
+      if (hn::AllTrue(kShorts, hn::Eq(hn::SaturatedSub(own, least), hn::Zero(kShorts)))) continue;  // dark, as most are
       auto largest = least;
       for (int r = -1; r <= 1; ++r) {
         const std::uint16_t* p = excess + r * pitch + 64 * word + i;
@@ -139,7 +141,7 @@ void markRow(const std::uint16_t* excess, std::ptrdiff_t pitch, std::uint16_t fl
       }
       const auto needed = hn::Max(least, hn::ShiftRight<3>(largest));
       // a > b for unsigned numbers: their saturated difference is not zero
-      const auto above = hn::SaturatedSub(hn::LoadU(kShorts, excess + 64 * word + i), needed);
+      const auto above = hn::SaturatedSub(own, needed);
       std::uint8_t bytes[8] = {};
       hn::StoreMaskBits(kShorts, hn::Ne(above, hn::Zero(kShorts)), bytes);
       std::uint64_t part = 0;

@@ -1,7 +1,30 @@
 #include "engine/stripe/ridge_kernel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#ifndef VIGNOLE_RIDGE_KERNEL_TABLE
+#define VIGNOLE_RIDGE_KERNEL_TABLE
+namespace vignole {
+
+/// For each set of eight lanes: which lanes come first when those of the set are moved together.
+struct PackingOrder {
+  alignas(32) std::array<std::array<std::uint32_t, 8>, 256> lanes{};
+};
+constexpr PackingOrder packingOrder() {
+  PackingOrder order;
+  for (std::size_t set = 0; set < 256; ++set) {
+    std::size_t n = 0;
+    for (std::uint32_t lane = 0; lane < 8; ++lane)
+      if ((set >> lane & 1U) != 0) order.lanes[set][n++] = lane;
+  }
+  return order;
+}
+inline constexpr PackingOrder kPackingOrder = packingOrder();
+
+}  // namespace vignole
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/stripe/ridge_kernel.cpp"
@@ -26,6 +49,36 @@ constexpr int kRows = kBandHeight + 2;
 HWY_INLINE Floats load(const std::uint8_t* p) {
   return hn::ConvertTo(kFloats, hn::PromoteTo(kInts, hn::LoadU(kBytes, p)));
 }
+
+/// Moves the lanes of a mask together.
+class Packing {
+ public:
+#if HWY_TARGET == HWY_AVX2  // hn::Compress copies a table of 2 KB at every call there
+  HWY_INLINE explicit Packing(hn::Mask<decltype(kFloats)> mask) {
+    std::uint8_t set[8];
+    hn::StoreMaskBits(kFloats, mask, set);
+    count_ = static_cast<std::size_t>(std::popcount(set[0]));
+    order_ = hn::IndicesFromVec(kFloats, hn::Load(kPixels, kPackingOrder.lanes[set[0]].data()));
+  }
+  HWY_INLINE void store(Floats v, float* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), kFloats, to); }
+#else
+  HWY_INLINE explicit Packing(hn::Mask<decltype(kFloats)> mask) : count_(hn::CountTrue(kFloats, mask)), mask_(mask) {}
+  /// Writes a whole vector, of which count() lanes are meant.
+  HWY_INLINE void store(Floats v, float* to) const { hn::StoreU(hn::Compress(v, mask_), kFloats, to); }
+#endif
+  HWY_INLINE void store(hn::Vec<decltype(kPixels)> v, std::uint32_t* to) const {
+    store(hn::BitCast(kFloats, v), reinterpret_cast<float*>(to));
+  }
+  [[nodiscard]] HWY_INLINE std::size_t count() const { return count_; }
+
+ private:
+  std::size_t count_ = 0;
+#if HWY_TARGET == HWY_AVX2
+  hn::Indices256<float> order_;
+#else
+  hn::Mask<decltype(kFloats)> mask_;
+#endif
+};
 
 // Ten output rows stay in registers while the input rows pass once; a row serves the outputs it lies in reach of.
 HWY_INLINE void smoothColumns(const std::uint8_t* p, std::ptrdiff_t stride, const float* taps, int length,
@@ -88,17 +141,17 @@ HWY_INLINE void gatherCandidates(const float* s, std::size_t width, hn::Vec<decl
   const Floats across2 = hn::NegMulAdd(turned, perRoot, hn::Add(dx2, dy2));
   const auto near = hn::Lt(across2, hn::Mul(hn::Mul(ridge, ridge), hn::Set(kFloats, 1.02F)));
   const auto found = hn::And(hn::And(steep, near), hn::FirstN(kFloats, width));
-  const std::size_t count = hn::CountTrue(kFloats, found);
-  if (count == 0) return;
+  if (hn::AllFalse(kFloats, found)) return;
+  const Packing packing(found);
   const std::size_t n = out.size;
-  hn::StoreU(hn::Compress(dx, found), kFloats, out.dx.data() + n);
-  hn::StoreU(hn::Compress(dy, found), kFloats, out.dy.data() + n);
-  hn::StoreU(hn::Compress(dxx, found), kFloats, out.dxx.data() + n);
-  hn::StoreU(hn::Compress(dxy, found), kFloats, out.dxy.data() + n);
-  hn::StoreU(hn::Compress(dyy, found), kFloats, out.dyy.data() + n);
-  hn::StoreU(hn::Compress(centre, found), kFloats, out.smoothed.data() + n);
-  hn::StoreU(hn::Compress(pixels, hn::RebindMask(kPixels, found)), kPixels, out.pixel.data() + n);
-  out.size = n + count;
+  packing.store(dx, out.dx.data() + n);
+  packing.store(dy, out.dy.data() + n);
+  packing.store(dxx, out.dxx.data() + n);
+  packing.store(dxy, out.dxy.data() + n);
+  packing.store(dyy, out.dyy.data() + n);
+  packing.store(centre, out.smoothed.data() + n);
+  packing.store(pixels, out.pixel.data() + n);
+  out.size = n + packing.count();
 }
 
 void testCandidates(const RidgeCandidates& in, float leastRidge, RidgeArrays& out) {
@@ -125,8 +178,8 @@ void testCandidates(const RidgeCandidates& in, float leastRidge, RidgeArrays& ou
     const Floats unit = hn::Div(hn::Set(kFloats, 1.0F), hn::Sqrt(length2));
     const auto column = hn::And(pixel, hn::Set(kPixels, 0xFFFFU)), row = hn::ShiftRight<16>(pixel);
     const auto asFloat = [](auto v) HWY_ATTR { return hn::ConvertTo(kFloats, hn::BitCast(kInts, v)); };
-    const auto store = [&](Floats v, std::vector<float>& to)
-                           HWY_ATTR { hn::StoreU(hn::Compress(v, found), kFloats, to.data() + n); };
+    const Packing packing(found);
+    const auto store = [&](Floats v, std::vector<float>& to) HWY_ATTR { packing.store(v, to.data() + n); };
     store(hn::Add(asFloat(column), x), out.x);
     store(hn::Add(asFloat(row), y), out.y);
     const Floats unitX = hn::Mul(nx, unit), unitY = hn::Mul(ny, unit);
@@ -135,8 +188,8 @@ void testCandidates(const RidgeCandidates& in, float leastRidge, RidgeArrays& ou
     store(hn::MulSub(dy, unitX, hn::Mul(dx, unitY)), out.along);
     store(ridge, out.ridge);
     store(hn::LoadU(kFloats, in.smoothed.data() + i), out.smoothed);
-    hn::StoreU(hn::Compress(pixel, hn::RebindMask(kPixels, found)), kPixels, out.pixel.data() + n);
-    n += hn::CountTrue(kFloats, found);
+    packing.store(pixel, out.pixel.data() + n);
+    n += packing.count();
   }
   out.size = n;
 }
