@@ -37,7 +37,7 @@ struct Options {
 };
 
 constexpr int kLeastSide = 32;  // px; what the extraction needs
-constexpr const char* kHeader = "image,line,x,y,nx,ny,sigma_px,strength,width_px,flags\n";
+constexpr const char* kHeader = "image,line,x,y,nx,ny,sigma_px,strength,width_px,flags,rejected_because\n";
 
 constexpr const char* kFooter =
     "Thresholds. A line of contrast A (DN above its surroundings) and standard deviation s (px) has the second\n"
@@ -117,13 +117,14 @@ void appendRows(std::string& text, const std::string& image, const StripeResult&
   const std::string name = quoted(image);
   for (std::size_t l = 0; l < result.lines.size(); ++l) {
     const StripeLine& line = result.lines[l];
+    const std::string reason = quoted(reasonOf(line.rejection));
     for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
       const StripePoint& p = result.points[i];
       text += name + "," + std::to_string(l + 1) + ",";
       for (const float value : {p.x + static_cast<float>(region.x), p.y + static_cast<float>(region.y), p.nx, p.ny,
                                 p.sigmaPx, p.strength, p.widthPx})
         append(text, value);
-      text += flagWords(p.flags) + "\n";
+      text += flagWords(p.flags) + "," + reason + "\n";
     }
   }
 }
@@ -267,6 +268,12 @@ void addExtract(CLI::App& app, int& exitCode) {
       ->add_option("--gap-angle", s.gapAngle,
                    "alpha: largest angle between the regression lines of two pieces, degrees")
       ->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--correction", [options](const std::string& word) { options->settings.correction = word == "on"; },
+          "on: the pull of bends is taken off and the points are smoothed along the line; off: the ridge as it is")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->default_str("on");
   command->add_option("--channel", options->channel, "Of colour pictures; auto: where the laser stands out most")
       ->check(CLI::IsMember({"auto", "red", "green", "blue", "grey"}))
       ->capture_default_str();

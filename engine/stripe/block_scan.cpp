@@ -56,7 +56,7 @@ void BlockScan::resize(const ImageView& image) {
   height_ = image.height;
   columns_ = (width_ + kBlock - 1) / kBlock;
   rows_ = (height_ + kBlock - 1) / kBlock;
-  pitch_ = static_cast<std::size_t>(columns_) + 2 * kGridMargin;
+  pitch_ = static_cast<std::size_t>(columns_) + kGridMargin;  // the margin behind a row is that before the next
   const std::size_t size = pitch_ * (static_cast<std::size_t>(rows_) + 2) + kGridMargin;
   sums_.assign(size, kNothing);
   for (Grid* grid : {&rowMinima_, &background_, &excess_}) grid->assign(size, 0);

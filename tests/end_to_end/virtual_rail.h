@@ -44,7 +44,8 @@ struct InspectedRun {
 };
 
 inline InspectedRun inspect(const std::shared_ptr<const VirtualRig>& rig, const Recipe& recipe,
-                            const VirtualSourceSettings& sourceSettings, const InspectionSettings& settings = {}) {
+                            const VirtualSourceSettings& sourceSettings, const InspectionSettings& settings = {},
+                            const std::optional<RigCalibration>& calibration = {}) {
   InspectedRun run;
   const auto source = makeVirtualSource(rig, sourceSettings);
   std::optional<RailSummariser> summariser;
@@ -66,7 +67,7 @@ inline InspectedRun inspect(const std::shared_ptr<const VirtualRig>& rig, const 
     run.rails.push_back(summariser->summary(ledger));
   };
   observer.ended = [&](const std::string& error) { run.error = error; };
-  Inspection inspection(*source, recipe, rig->calibration(), observer, settings);
+  Inspection inspection(*source, recipe, calibration.value_or(rig->calibration()), observer, settings);
   inspection.start();
   inspection.wait();
   run.triggers = inspection.triggers();

@@ -84,7 +84,8 @@ void fillPoints(ProfileResult& result, int lostCamera) {
 std::vector<StageStatistics> madeStages() {
   std::vector<StageStatistics> stages;
   const auto add = [&](const std::string& name, double meanMs, std::size_t capacity) {
-    stages.push_back({name, 2758, meanMs, meanMs / 10, meanMs * 1.02, meanMs * 4, capacity, capacity ? 3u : 0u, 0, 0, 0});
+    stages.push_back(
+        {name, 2758, meanMs, meanMs / 10, meanMs * 1.02, meanMs * 4, capacity, capacity ? 3u : 0u, 0, 0, 0});
   };
   for (int c = 1; c <= kCameraCount; ++c) {
     add("acquire." + std::to_string(c), 14.1, 0);

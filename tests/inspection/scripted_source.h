@@ -112,7 +112,7 @@ inline PipelineWork simpleWork() {
     point.x = static_cast<float>(trigger);
     point.y = image.data[8];
     result.points.assign(1, point);
-    result.lines.assign(1, {0, 1, false});
+    result.lines.assign(1, {0, 1, Rejection::None});
   };
   work.translate = [](int camera, std::uint64_t, const StripeResult& stripe, PartialContour& result) {
     result.points.clear();

@@ -29,6 +29,8 @@ RigCalibration sample() {
     f.cameraFromWorld.translationMm = {1.0 / 3, -2, 400};
     f.lightPlane.normal = Eigen::Vector3d(0.01, 0.02, 1).normalized();
     f.lightPlane.distanceMm = 0.25;
+    if (i > 0) f.lightPlane.thicknessMm = 0.1 * i;  // known of some, as is the blur
+    if (i > 1) f.blurPx = 1.0 / 3;
   }
   return c;
 }
@@ -66,6 +68,9 @@ TEST_F(CalibrationFile, SurvivesTheRoundTripToTheLastBit) {
   ASSERT_TRUE(loaded.has_value()) << loaded.error().message();
   EXPECT_EQ(toToml(*loaded), toToml(c));
   EXPECT_EQ(loaded->id, c.id);
+  EXPECT_EQ(loaded->rangeFinders[0].lightPlane.thicknessMm, 0);
+  EXPECT_EQ(loaded->rangeFinders[3].lightPlane.thicknessMm, c.rangeFinders[3].lightPlane.thicknessMm);
+  EXPECT_EQ(loaded->rangeFinders[3].blurPx, c.rangeFinders[3].blurPx);
   EXPECT_EQ(loaded->rangeFinders[1].intrinsics.k1, c.rangeFinders[1].intrinsics.k1);
   EXPECT_EQ(loaded->rangeFinders[2].cameraFromWorld.rotation, c.rangeFinders[2].cameraFromWorld.rotation);
   EXPECT_EQ(loaded->rangeFinders[3].lightPlane.normal, c.rangeFinders[3].lightPlane.normal);

@@ -168,5 +168,27 @@ TEST(Translate, TheRealMapLandsInTheLightPlane) {
   EXPECT_EQ(contour.camera, 3);
 }
 
+TEST(Translate, TheRidgeIsFoundBehindThePoint) {
+  StripeResult stripe = line(0.4, 5);
+  const StripeResult ridge = stripe;
+  for (StripePoint& p : stripe.points) {
+    p.shiftPx = 0.25F;
+    p.ridgeSigmaPx = 2 * p.sigmaPx;
+    p.x += p.shiftPx * p.nx;
+    p.y += p.shiftPx * p.ny;
+  }
+  PartialContour moved, straight;
+  translateThrough(AffineMap{}, 1, 5, stripe, moved);
+  translateThrough(AffineMap{}, 1, 5, ridge, straight);
+  ASSERT_EQ(moved.points.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const ProfilePoint &p = moved.points[i], &q = straight.points[i];
+    // Along the contour it may lie elsewhere; across it, where the ridge was.
+    EXPECT_NEAR((p.x - p.shiftMm * p.nx - q.x) * q.nx + (p.y - p.shiftMm * p.ny - q.y) * q.ny, 0, 1e-6);
+    EXPECT_NEAR(p.ridgeSigmaMm, 2 * p.sigmaMm, 1e-6);
+    EXPECT_GT(std::abs(p.shiftMm), 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace vignole

@@ -87,7 +87,9 @@ class Patch {
     SplatKernel kernel;
     kernel.a = kernel.c = static_cast<float>(1 / square(light_.sigmaPx));
     kernel.scale = static_cast<float>(1 / (2 * kPi * square(light_.sigmaPx)));
-    kernel.halfWidth = kernel.halfHeight = 16;
+    kernel.bend = std::exp(-kernel.c);
+    kernel.halfWidth = 16;
+    kernel.halfHeight = 16;
     const double perPx = light_.contrastDn * std::sqrt(2 * kPi) * light_.sigmaPx, step = 0.25;
     std::vector<Splat> splats;
     for (double t = -kLength / 2 - 10; t <= kLength / 2 + 10; t += step) {

@@ -133,10 +133,49 @@ TEST(Flags, AGhostBesideTheLineIsRejectedAndListedLast) {
   const StripeResult result = extracted({{40, 100, 360, 100, 180}, {120, 125, 280, 126, 35, 4}});
   ASSERT_EQ(result.lines.size(), 2U);
   EXPECT_FALSE(result.lines[0].rejected());
-  EXPECT_TRUE(result.lines[1].rejected());
+  EXPECT_EQ(result.lines[1].rejection, Rejection::Weaker);
   EXPECT_GT(result.lines[1].first, 0U);
   for (std::uint32_t i = 0; i < result.points.size(); ++i)
     EXPECT_EQ((result.points[i].flags & kRejected) != 0, i >= result.lines[1].first);
+}
+
+TEST(Flags, OfTwoLinesTheBroaderShorterAndWeakerIsTheGhost) {
+  const StripeResult result = extracted({{40, 100, 360, 100, 180, 3}, {120, 128, 260, 128, 90, 5}});
+  ASSERT_EQ(result.lines.size(), 2U);
+  EXPECT_EQ(result.lines[0].rejection, Rejection::None);
+  EXPECT_EQ(result.lines[1].rejection, Rejection::Broader);
+  EXPECT_NE(std::string(reasonOf(Rejection::Broader)), "");
+}
+
+TEST(Flags, ASpotManyTimesAsBroadIsNoLine) {
+  const StripeResult result = extracted({{40, 60, 360, 60, 100, 2}, {200, 200, 240, 200, 120, 8}});
+  ASSERT_GE(result.lines.size(), 2U);
+  EXPECT_EQ(result.lines[0].rejection, Rejection::None);
+  for (std::size_t l = 1; l < result.lines.size(); ++l) EXPECT_EQ(result.lines[l].rejection, Rejection::Spot);
+}
+
+TEST(Flags, ALineWhereTheLightPlaneCannotBeSeenIsRejected) {
+  const auto pixels = drawn({{40, 60, 360, 60, 150}, {40, 200, 360, 200, 150}});
+  StripeOptics optics;
+  optics.field = {{0, 0}, {400, 0}, {400, 120}, {0, 120}};
+  StripeResult result;
+  StripeExtractor({}, optics).extract({pixels.data(), kWidth, kHeight, kWidth}, result);
+  ASSERT_EQ(result.lines.size(), 2U);
+  EXPECT_EQ(result.lines[0].rejection, Rejection::None);
+  EXPECT_EQ(result.lines[1].rejection, Rejection::OutOfField);
+  EXPECT_NEAR(result.points[result.lines[1].first].y, 200, 0.5);
+}
+
+TEST(Flags, LightManyTimesWeakerThanItsLineMayBeANeighbours) {
+  const StripeResult result = extracted({{40, 100, 220, 100, 200}, {221, 100, 360, 100, 14}});
+  ASSERT_EQ(result.lines.size(), 1U);
+  for (const StripePoint& p : result.points) {
+    if (p.x < 200) {
+      EXPECT_EQ(p.flags & kCrosstalk, 0) << p.x;
+    } else if (p.x > 240 && p.x < 350) {
+      EXPECT_NE(p.flags & kCrosstalk, 0) << p.x;
+    }
+  }
 }
 
 TEST(Flags, DoubtfulCompetitorsAreKept) {

@@ -44,8 +44,9 @@ TEST_P(Scenes, AreMetAsWellAsByTheReference) {
     ++compared;
   }
   ASSERT_GT(compared, 700);
-  // Steger's own offset overshoots by its third order, up to 0.007 px; ours has that removed.
-  EXPECT_LT(std::sqrt(squares / compared), 0.25 * reference.rmsPx);
+  // Steger's own offset overshoots by its third order, up to 0.007 px, and errs where the brightness changes along the
+  // line (around saturated stretches); ours has both removed.
+  EXPECT_LT(std::sqrt(squares / compared), 0.3 * reference.rmsPx);
 }
 
 TEST_P(Scenes, OfOtherSeedsKeepTheLimits) {
