@@ -212,13 +212,29 @@ TEST(Measurer, ValuesAreGivenAt15DegreesAndHotRailsAreRefused) {
   const double cold = *bench.measure(profile).dimensions[index(Dimension::RH)].valueMm;
   const double u = bench[Dimension::RH].uMm;
   bench.measure(profile, {35, 5});
-  EXPECT_NEAR(*bench[Dimension::RH].valueMm, cold / (1 + 11.5e-6 * 20), 1e-6);
+  EXPECT_NEAR(*bench[Dimension::RH].valueMm, cold / (1 + 11.5e-6 * 20), 5e-5);
   EXPECT_NEAR(bench[Dimension::RH].uMm, std::hypot(u, 172 * 11.5e-6 * 5), 1e-5);
   bench.measure(profile, {300, 5});
   EXPECT_FALSE(bench[Dimension::RH].valueMm);
   EXPECT_EQ(bench[Dimension::RH].reason, "rail at 300 C: above 150 C no cold size is given");
   bench.measure(profile, {std::nan(""), 0});
   EXPECT_FALSE(bench[Dimension::RH].valueMm);
+}
+
+TEST(Measurer, DimensionsOfAHotRailAreTakenWhereTheyAreOnTheColdOne) {
+  Bench bench(section());
+  const Profile cold = synthetic::sample(bench.rail, exact());
+  const PerDimension<DimensionResult> expected = bench.measure(cold).dimensions;
+  Profile hot = cold;
+  constexpr double kHotter = 100;
+  for (ProfilePoint& p : hot.points) {
+    p.x *= 1 + 11.5e-6 * kHotter;
+    p.y *= 1 + 11.5e-6 * kHotter;
+  }
+  bench.measure(hot, {15 + kHotter, 0});
+  // Taken at the same millimetres of the hot rail, RFH would be 0.021 mm too small.
+  for (const Dimension d : kDimensions)
+    EXPECT_NEAR(*bench[d].valueMm, *expected[index(d)].valueMm, d == Dimension::HR ? 0.1 : 5e-4) << vignole::name(d);
 }
 
 TEST(Measurer, AnUnregisteredProfileIsNotMeasuredForThatReason) {
