@@ -23,7 +23,7 @@ enum class Verdict { Pass, Near, Fail, NotMeasured, NoLimit };  ///< Near: withi
 [[nodiscard]] std::string_view name(Verdict verdict);
 
 struct MeasurementSettings {
-  double trimMm = 0.7;             ///< points nearer than this to the end of a primitive are left out of its fit
+  double trimMm = 0.5;             ///< points nearer than this to the end of a primitive are left out of its fit
   int minPoints = 6;               ///< fewer on a primitive: not measured
   double expansionPerK = 11.5e-6;  ///< values are given at 15 degrees C
   double maxTemperatureC = 150;    ///< above, a cold size is refused

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr float kMedianOfSquare = 0.45494F;  // of a squared standard normal number
-constexpr std::size_t kFewest = 24;          // samples; fewer say nothing about speckle
+constexpr float kAgreeing = 0.6F;
+constexpr std::size_t kFewest = 24;  // samples; fewer say nothing about speckle
 
 /// Correlation of the errors of two points that far apart along the line: both come from white noise smoothed by sigma.
 float correlation(float distancePx, float sigma) {
@@ -78,7 +79,9 @@ void SpeckleMeter::add(const LinePoints& p, const LineRange& line) {
 
 float SpeckleMeter::speckle() {
   if (fromPosition_.size() < kFewest) return 0;
-  return std::max(0.0F, std::min(median(fromPosition_), median(fromRidge_)));
+  const float a = std::max(0.0F, median(fromPosition_)), b = std::max(0.0F, median(fromRidge_));
+  // Two answers that agree within their noise are one; the lesser of them would be too small.
+  return std::min(a, b) > kAgreeing * std::max(a, b) ? (a + b) / 2 : std::min(a, b);
 }
 
 float endSigma(float edgePx, double sigma) { return 0.3F * std::exp(-edgePx / static_cast<float>(sigma)); }
