@@ -30,13 +30,13 @@ void forEachField(RecipeType& recipe, Visitor visit) {
   visit("parameters.base_inset_mm", p.baseInsetMm, 0, 50, "base line: taken this far inside the foot edges");
 
   auto& s = recipe.stripe;
-  visit("stripe.sigma_px", s.sigma, 0.5, 20, "sigma: standard deviation of the Gaussian");
+  visit("stripe.sigma_px", s.sigma, 1, 8, "sigma: standard deviation of the Gaussian");
   visit("stripe.t_l_dn", s.low, 0.1, 255, "t_l: weaker points are rejected, line contrast in grey values");
   visit("stripe.t_h_dn", s.high, 0.1, 255, "t_h: stronger points are accepted");
-  visit("stripe.d_px", s.gapDistance, 0, 2000, "d: longest gap that is bridged");
+  visit("stripe.d_px", s.gapDistance, 0, 10000, "d: longest gap that is bridged");
   visit("stripe.alpha_deg", s.gapAngle, 0, 90, "alpha: largest angle between the pieces that are joined");
-  visit("stripe.min_length_points", s.minLength, 2, 100000, "shorter lines are dropped");
-  visit("stripe.max_blocks", s.maxBlocks, 1, 10000000, "8x8 blocks worked on before a frame counts as overloaded");
+  visit("stripe.min_length_points", s.minLength, 3, 100000, "shorter lines are dropped");
+  visit("stripe.max_blocks", s.maxBlocks, 1, 65000, "8x8 blocks worked on before a frame counts as overloaded");
   visit("stripe.correction", s.correction, "the pull of bends taken off, smoothed along the line");
 
   auto& r = recipe.registration;

@@ -8,6 +8,7 @@
 #include "engine/registration/normal_equations.h"
 #include "engine/registration/pose_kernels.h"
 #include "engine/registration/registration.h"
+#include "engine/stripe/stripe.h"
 
 namespace vignole {
 namespace {
@@ -99,12 +100,18 @@ struct Registrar::Impl {
       order.resize(room);
     }
     anchor = anchorOf(points);
+    bodyVariance = 0;
+    body = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double px = points[i].x - anchor.x(), py = points[i].y - anchor.y();
       const bool near = std::abs(px) < kFarMm && std::abs(py) < kFarMm;  // not if it is no number either
       rawX[i] = static_cast<float>(near ? px : kFarMm);
       rawY[i] = static_cast<float>(near ? py : kFarMm);
       rawSigma[i] = points[i].sigmaMm > 0 ? points[i].sigmaMm : kFallbackSigmaMm;
+      if ((points[i].flags & (kLineEnd | kGapEdge)) != 0) continue;
+      const float ridge = points[i].ridgeSigmaMm > 0 ? points[i].ridgeSigmaMm : rawSigma[i];
+      bodyVariance += static_cast<double>(ridge * ridge);
+      ++body;
     }
     const std::size_t stride = std::max<std::size_t>(1, n / kCoarsePoints);
     coarse = 0;
@@ -332,7 +339,10 @@ struct Registrar::Impl {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     rotation.block<2, 1>(0, 0) = turn.rotate({1, 0});
     rotation.block<2, 1>(0, 1) = turn.rotate({0, 1});
-    r.covariance = rotation * inverse * rotation.transpose() * (meanVariance * std::max(1.0, correlatedPoints));
+    // Points that were smoothed along their line are surer and share their error further: what they tell together is
+    // what the ridge told. The ends of the lines are few and far less sure; they would speak for all.
+    const double variance = body > kMinPoints ? bodyVariance / static_cast<double>(body) : meanVariance;
+    r.covariance = rotation * inverse * rotation.transpose() * (variance * std::max(1.0, correlatedPoints));
   }
 
   RegistrationSettings settings;
@@ -351,6 +361,8 @@ struct Registrar::Impl {
   std::vector<std::uint32_t> order, bucketEnd;
   std::vector<Run> runs;
   double assignedRms = 0, meanVariance = 0;
+  double bodyVariance = 0;  ///< of the ridge, summed over the points that no end of a line touches
+  std::size_t body = 0;
 };
 
 Registrar::Registrar(const Section& section, const RegistrationSettings& settings)

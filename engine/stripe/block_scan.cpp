@@ -11,7 +11,7 @@ namespace vignole {
 namespace {
 
 constexpr std::uint16_t kNothing = 0xFFFF;    // neutral for a minimum
-constexpr int kNoiseSampling = 8;             // every so many block rows
+constexpr int kNoiseSampling = 16;            // every so many block rows
 constexpr int kSummed = kBlock * kBlock / 2;  // pixels of a block that are looked at: those of every second row
 constexpr float kPixels = kSummed;
 constexpr float kRoundingDn = 0.2887F;  // 1 / sqrt(12)

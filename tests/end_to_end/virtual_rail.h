@@ -19,6 +19,8 @@ struct InspectedProfile {
   std::array<std::string, kCameraCount> missing;
   bool registered = false;
   std::string reason;
+  Transform2 worldFromSection;
+  Eigen::Matrix3d poseCovariance = Eigen::Matrix3d::Zero();  ///< Registration::covariance
 };
 
 struct InspectedRun {
@@ -58,6 +60,8 @@ inline InspectedRun inspect(const std::shared_ptr<const VirtualRig>& rig, const 
     p.missing = result.profile.missing;
     p.registered = result.registration.valid;
     p.reason = result.registration.reason;
+    p.worldFromSection = result.registration.worldFromSection;
+    p.poseCovariance = result.registration.covariance;
     for (std::size_t d = 0; d < kDimensionCount; ++d) {
       p.valueMm[d] = result.measurement.dimensions[d].valueMm;
       p.uMm[d] = result.measurement.dimensions[d].uMm;

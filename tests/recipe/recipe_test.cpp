@@ -128,7 +128,7 @@ TEST_F(RecipeFile, LeavesOutWhatItLikes) {
 
 TEST_F(RecipeFile, RefusalsNameFileLineKeyAndRemedy) {
   const std::string file = (folder_ / "r.toml").string();
-  expectRefused("[stripe]\nsigma_px = 400\n", {file + ":4:", "stripe.sigma_px", "400", "give a number from 0.5 to 20"});
+  expectRefused("[stripe]\nsigma_px = 400\n", {file + ":4:", "stripe.sigma_px", "400", "give a number from 1 to 8"});
   expectRefused("[stripe]\nsigna_px = 3\n", {file + ":4:", "stripe.signa_px", "did you mean stripe.sigma_px"});
   expectRefused("[strip]\nsigma_px = 3\n", {"strip", "not known"});
   expectRefused("[stripe]\nt_l_dn = 20\nt_h_dn = 10\n", {file + ":4:", "t_l_dn", "exchange"});
