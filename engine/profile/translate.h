@@ -20,22 +20,23 @@ class ObliqueSheet {
  public:
   ObliqueSheet() = default;
   explicit ObliqueSheet(const RangeFinderCalibration& calibration)
-      : camera_(-calibration.cameraFromWorld.rotation.transpose() * calibration.cameraFromWorld.translationMm),
-        normal_(calibration.lightPlane.normal),
-        distance_(calibration.lightPlane.distanceMm),
-        variance_(calibration.lightPlane.thicknessMm * calibration.lightPlane.thicknessMm) {}
+      : variance_(calibration.lightPlane.thicknessMm * calibration.lightPlane.thicknessMm) {
+    const Eigen::Vector3d camera =
+        -calibration.cameraFromWorld.rotation.transpose() * calibration.cameraFromWorld.translationMm;
+    const Eigen::Vector3d& normal = calibration.lightPlane.normal;
+    // A point 1 mm off the plane over P is seen at P + normal + (P - camera) / height: linear in P.
+    perHeight_ = 1 / (normal.dot(camera) - calibration.lightPlane.distanceMm);
+    atOrigin_ = normal.head<2>() - camera.head<2>() * perHeight_;
+  }
   [[nodiscard]] double varianceMm2() const { return variance_; }
   /// Where in the plane a point 1 mm off it is seen from the camera, relative to its foot at (x, y): mm.
   [[nodiscard]] Eigen::Vector2d seenAt(double x, double y) const {
-    const double z = std::abs(normal_.z()) > 1e-9 ? (distance_ - normal_.x() * x - normal_.y() * y) / normal_.z() : 0;
-    const Eigen::Vector3d ray = Eigen::Vector3d(x, y, z) - camera_;
-    const Eigen::Vector3d aside = normal_ - ray / normal_.dot(ray);
-    return aside.head<2>();
+    return {atOrigin_.x() + x * perHeight_, atOrigin_.y() + y * perHeight_};
   }
 
  private:
-  Eigen::Vector3d camera_ = Eigen::Vector3d::UnitZ(), normal_ = Eigen::Vector3d::UnitZ();
-  double distance_ = 0, variance_ = 0;
+  Eigen::Vector2d atOrigin_ = Eigen::Vector2d::Zero();
+  double perHeight_ = 0, variance_ = 0;
 };
 
 /// `map(column, row)` gives PlanePoint: world x, y in mm and its derivatives in mm/px. The normal of the contour is
@@ -60,7 +61,7 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
       const PlanePoint w = map(static_cast<double>(p.x), static_cast<double>(p.y));
       const double tx = -static_cast<double>(p.ny), ty = static_cast<double>(p.nx);
       const double wtx = w.dxdc * tx + w.dxdr * ty, wty = w.dydc * tx + w.dydr * ty;
-      const double stretch = std::hypot(wtx, wty);
+      const double stretch = std::sqrt(wtx * wtx + wty * wty);
       const double determinant = w.dxdc * w.dydr - w.dxdr * w.dydc;
       // A point that the map sends nowhere (beyond the horizon of the light plane) is no point of the contour.
       if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
