@@ -29,7 +29,7 @@ Expected<BenchMaterial> renderMaterial(std::size_t frames) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
       const Intrinsics& in = material.rig->calibration().rangeFinders[c].intrinsics;
       const auto bytes = static_cast<std::size_t>(in.widthPx) * static_cast<std::size_t>(in.heightPx);
-      material.buffers.push_back(std::make_unique<std::uint8_t[]>(bytes));
+      material.buffers.push_back(makeFrameMemory(bytes));
       const MutableImageView image{material.buffers.back().get(), in.widthPx, in.heightPx, in.widthPx};
       const StopWatch watch;
       material.rig->render(static_cast<int>(c), s * kTriggersApart, image);

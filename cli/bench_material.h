@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/acquisition/frame_memory.h"
 #include "engine/acquisition/memory_source.h"
 #include "engine/profile/profile.h"
 #include "engine/recipe/recipe.h"
@@ -23,7 +24,7 @@ struct BenchSeries {
 struct BenchMaterial {
   Recipe recipe;
   std::shared_ptr<const VirtualRig> rig;
-  std::vector<std::unique_ptr<std::uint8_t[]>> buffers;
+  std::vector<FrameMemory> buffers;
   std::vector<FrameSet> sets;    ///< one a profile
   std::vector<double> renderMs;  ///< one a frame
   /// Made by extractAll(): one a profile.

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "engine/acquisition/frame_memory.h"
 #include "engine/simulator/hashing.h"
 #include "engine/simulator/virtual_rig.h"
 
@@ -28,11 +29,11 @@ class BufferPool : public std::enable_shared_from_this<BufferPool> {
     const auto ready = [&] { return !free_.empty(); };
     const bool got = until ? returned_.wait_until(lock, stop, *until, ready) : returned_.wait(lock, stop, ready);
     if (!got) return nullptr;
-    std::unique_ptr<std::uint8_t[]> buffer = std::move(free_.back());
+    FrameMemory buffer = std::move(free_.back());
     free_.pop_back();
     lock.unlock();
     // Made when first needed: a run that never falls behind needs few.
-    if (!buffer) buffer = std::make_unique_for_overwrite<std::uint8_t[]>(bytes_);
+    if (!buffer) buffer = makeFrameMemory(bytes_);
     return {buffer.release(), [pool = shared_from_this()](std::uint8_t* back) {
               const std::lock_guard guard(pool->mutex_);
               pool->free_.emplace_back(back);
@@ -44,7 +45,7 @@ class BufferPool : public std::enable_shared_from_this<BufferPool> {
   std::size_t bytes_;
   std::mutex mutex_;
   std::condition_variable_any returned_;
-  std::vector<std::unique_ptr<std::uint8_t[]>> free_;
+  std::vector<FrameMemory> free_;
 };
 
 class VirtualSource final : public FrameSource {

@@ -220,12 +220,12 @@ void smoothNine(const std::uint8_t* pixels, std::ptrdiff_t stride, const RidgeFi
   const int length = 2 * filter.radius + 1;
   for (std::size_t i = 0; i < static_cast<std::size_t>(length) + 2; i += hn::Lanes(kFloats)) {
     Floats first = hn::Zero(kFloats), second = first, third = first;
-    for (int r = 0; r < length; ++r) {
-      const Floats tap = hn::Set(kFloats, filter.taps[static_cast<std::size_t>(r)]);
-      const std::uint8_t* p = pixels + r * stride + i;
-      first = hn::MulAdd(load(p), tap, first);
-      second = hn::MulAdd(load(p + stride), tap, second);
-      third = hn::MulAdd(load(p + 2 * stride), tap, third);
+    for (int r = 0; r < length + 2; ++r) {  // each row of pixels serves up to three rows of sums
+      const Floats row = load(pixels + r * stride + i);
+      const auto tap = [&](int k) HWY_ATTR { return hn::Set(kFloats, filter.taps[static_cast<std::size_t>(k)]); };
+      if (r < length) first = hn::MulAdd(row, tap(r), first);
+      if (r >= 1 && r <= length) second = hn::MulAdd(row, tap(r - 1), second);
+      if (r >= 2) third = hn::MulAdd(row, tap(r - 2), third);
     }
     hn::StoreU(first, kFloats, vertical[0] + i);
     hn::StoreU(second, kFloats, vertical[1] + i);
