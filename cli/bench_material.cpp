@@ -1,5 +1,7 @@
 #include "cli/bench_material.h"
 
+#include <algorithm>
+
 #include "engine/inspection/stage_meter.h"
 #include "engine/profile/assembler.h"
 #include "engine/profile/translate.h"
@@ -30,6 +32,8 @@ Expected<BenchMaterial> renderMaterial(std::size_t frames) {
       const Intrinsics& in = material.rig->calibration().rangeFinders[c].intrinsics;
       const auto bytes = static_cast<std::size_t>(in.widthPx) * static_cast<std::size_t>(in.heightPx);
       material.buffers.push_back(makeFrameMemory(bytes));
+      // A camera's buffers are used again and again: that the system first has to make them is no one's rendering.
+      std::fill_n(material.buffers.back().get(), bytes, std::uint8_t{0});
       const MutableImageView image{material.buffers.back().get(), in.widthPx, in.heightPx, in.widthPx};
       const StopWatch watch;
       material.rig->render(static_cast<int>(c), s * kTriggersApart, image);
