@@ -107,7 +107,8 @@ void developTouched(Canvas& canvas, const DevelopSettings& settings, const Mutab
   const auto shiftX = static_cast<int>(shift % kSpeckleSize), shiftY = static_cast<int>((shift >> 20) % kSpeckleSize);
   for (int by = 0; by < canvas.blocksY; ++by)
     for (int bx = 0; bx < canvas.blocksX; ++bx) {
-      std::uint8_t& touched = canvas.touched[static_cast<std::size_t>(by * canvas.blocksX + bx)];
+      const int block = by * canvas.blocksX + bx;
+      std::uint8_t& touched = canvas.touched[static_cast<std::size_t>(block)];
       if (touched == 0) continue;
       touched = 0;
       const std::uint64_t h =
@@ -121,7 +122,7 @@ void developTouched(Canvas& canvas, const DevelopSettings& settings, const Mutab
         const float* speckle = settings.speckle +
                                static_cast<std::ptrdiff_t>((y + shiftY) % kSpeckleSize) * kSpeckleStride +
                                (x0 + shiftX) % kSpeckleSize;
-        developRow(canvas.row(y) + x0, speckle, normals + i * kBlock, settings, pixels);
+        developRow(canvas.row(y) + x0, speckle, normals + static_cast<std::ptrdiff_t>(i) * kBlock, settings, pixels);
         if (y < image.height) std::memcpy(image.row(y) + x0, pixels, static_cast<std::size_t>(columns));
       }
     }
@@ -149,7 +150,8 @@ Canvas::Canvas(int width, int height)
       // An odd number of lines: the rows of a column spread over all sets of the cache.
       linesPerRow_((blocksX + 2 * kMargin / kBlock) | 1),
       data_(static_cast<std::size_t>(linesPerRow_ * (blocksY * kBlock + 2 * kMargin))) {
-  touched.assign(static_cast<std::size_t>(blocksX * blocksY), 0);
+  const int blocks = blocksX * blocksY;
+  touched.assign(static_cast<std::size_t>(blocks), 0);
 }
 
 std::optional<Canvas::Area> Canvas::reserve(const Splat& splat, const SplatKernel& kernel) {
@@ -168,8 +170,10 @@ std::optional<Canvas::Area> Canvas::reserve(const Splat& splat, const SplatKerne
   if (bottom >= 0) {
     const int r0 = std::max(0, top) / kBlock, r1 = std::min(bottom / kBlock, blocksY - 1);
     for (int r = r0; r <= r1; ++r)
-      for (int b = std::max(0, b0); b <= std::min(b1, blocksX - 1); ++b)
-        touched[static_cast<std::size_t>(r * blocksX + b)] = 1;
+      for (int b = std::max(0, b0); b <= std::min(b1, blocksX - 1); ++b) {
+        const int lit = r * blocksX + b;
+        touched[static_cast<std::size_t>(lit)] = 1;
+      }
   }
   return Area{row(y), b0 * kBlock, (b1 - b0 + 1) * kBlock, y};
 }

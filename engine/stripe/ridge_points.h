@@ -30,14 +30,15 @@ class RidgePoints {
 
   /// The map of the pixels around a point: `around(i)[dy * kMapPitch + dx]` is the index + 1 of the point in the pixel
   /// (dx, dy) away, |dx|, |dy| <= 1, or 0.
-  static constexpr std::ptrdiff_t kMapPitch = kBlock + 2;
+  static constexpr std::ptrdiff_t kMapPitch{kBlock + 2};
   [[nodiscard]] const std::uint16_t* around(std::size_t i) const { return maps_.data() + place_[i]; }
 
  private:
-  static constexpr std::size_t kMap = static_cast<std::size_t>(kMapPitch * kMapPitch);  // a block with one pixel around
+  static constexpr std::size_t kMap = std::size_t{kMapPitch} * std::size_t{kMapPitch};  // a block with one pixel around
   void enter(std::size_t i);
   [[nodiscard]] std::uint16_t& mapOfBlock(int column, int row) {
-    return mapOfBlock_[static_cast<std::size_t>((row + 1) * (columns_ + 2) + column + 1)];
+    const int block = (row + 1) * (columns_ + 2) + column + 1;
+    return mapOfBlock_[static_cast<std::size_t>(block)];
   }
 
   ImageView image_;
