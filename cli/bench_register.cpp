@@ -135,14 +135,14 @@ class SearchBench {
   static double at(const std::vector<float>& values, std::size_t i) { return static_cast<double>(values[i]); }
 
   [[nodiscard]] std::uint16_t nearestOfAll(double x, double y) const {
-    std::uint16_t best = 0;
+    std::size_t best = 0;
     double least = carriers_[0].squaredDistance(x, y);
-    for (std::uint16_t k = 1; k < carriers_.size(); ++k)
+    for (std::size_t k = 1; k < carriers_.size(); ++k)
       if (const double squared = carriers_[k].squaredDistance(x, y); squared < least) {
         least = squared;
         best = k;
       }
-    return best;
+    return static_cast<std::uint16_t>(best);
   }
 
   /// As for 2,000 points, whatever the number.
