@@ -13,9 +13,9 @@ StripeOptics stripeOptics(const RangeFinderCalibration& finder, const MeasuringF
   if (std::abs(normal.z()) < 1e-3) return optics;
   const Lens<double> camera = lens(finder.intrinsics);
   const auto &low = field.low, &high = field.high;
-  for (const Eigen::Vector2d& corner : {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())}) {
-    const double z =
-        (finder.lightPlane.distanceMm - normal.x() * corner.x() - normal.y() * corner.y()) / normal.z();
+  for (const Eigen::Vector2d& corner :
+       {low, Eigen::Vector2d(high.x(), low.y()), high, Eigen::Vector2d(low.x(), high.y())}) {
+    const double z = (finder.lightPlane.distanceMm - normal.x() * corner.x() - normal.y() * corner.y()) / normal.z();
     const Eigen::Vector3d inCamera = finder.cameraFromWorld.rotation * Eigen::Vector3d(corner.x(), corner.y(), z) +
                                      finder.cameraFromWorld.translationMm;
     const Eigen::Vector2d pixel =

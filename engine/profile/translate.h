@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/optics/oblique_sheet.h"
 #include "engine/optics/plane_map.h"
 #include "engine/profile/profile.h"
 #include "engine/stripe/stripe.h"
@@ -13,31 +14,6 @@ namespace vignole {
 
 /// Why there is no contour, in the ledger's few words; "" if there is one.
 [[nodiscard]] const char* reasonForNoContour(const StripeResult& stripe);
-
-/// The sheet of light has a thickness and is seen obliquely: its light off the plane comes to lie beside the line, so
-/// the picture is blurred along `seenAt`. Exact for Gaussian blur and light that changes exponentially along the line.
-class ObliqueSheet {
- public:
-  ObliqueSheet() = default;
-  explicit ObliqueSheet(const RangeFinderCalibration& calibration)
-      : variance_(calibration.lightPlane.thicknessMm * calibration.lightPlane.thicknessMm) {
-    const Eigen::Vector3d camera =
-        -calibration.cameraFromWorld.rotation.transpose() * calibration.cameraFromWorld.translationMm;
-    const Eigen::Vector3d& normal = calibration.lightPlane.normal;
-    // A point 1 mm off the plane over P is seen at P + normal + (P - camera) / height: linear in P.
-    perHeight_ = 1 / (normal.dot(camera) - calibration.lightPlane.distanceMm);
-    atOrigin_ = normal.head<2>() - camera.head<2>() * perHeight_;
-  }
-  [[nodiscard]] double varianceMm2() const { return variance_; }
-  /// Where in the plane a point 1 mm off it is seen from the camera, relative to its foot at (x, y): mm.
-  [[nodiscard]] Eigen::Vector2d seenAt(double x, double y) const {
-    return {atOrigin_.x() + x * perHeight_, atOrigin_.y() + y * perHeight_};
-  }
-
- private:
-  Eigen::Vector2d atOrigin_ = Eigen::Vector2d::Zero();
-  double perHeight_ = 0, variance_ = 0;
-};
 
 /// `map(column, row)` gives PlanePoint: world x, y in mm and its derivatives in mm/px. The normal of the contour is
 /// perpendicular to the mapped tangent; sigmaMm is the standard uncertainty along it, sigmaPx |det J| / |J t| (first
@@ -67,7 +43,8 @@ void translateThrough(const Map& map, int camera, std::uint64_t trigger, const S
       if (!(stretch > 0) || !std::isfinite(stretch) || !std::isfinite(w.x) || !std::isfinite(w.y)) continue;
       // N . J n = -det J / |J t| for the contour's normal N as it is given here and n in the picture.
       const double across = std::abs(determinant) / stretch, px = wtx / stretch, py = wty / stretch;
-      // The sheet moves the line aside where its light changes, and pulls it in bends as the filter does.
+      // The sheet moves the line aside where its light changes, and pulls it in bends as the filter does. With the
+      // correction off (smoothingPx 0) nothing is taken off.
       double x = w.x, y = w.y, sheetPull = 0;
       if (sheet.varianceMm2() > 0 && stripe.smoothingPx > 0) {
         const Eigen::Vector2d seen = sheet.seenAt(x, y);

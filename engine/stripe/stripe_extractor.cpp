@@ -84,7 +84,7 @@ struct StripeExtractor::Impl {
   void measure(const ImageView& image);
   void walkLines();
   void finishNormal(std::size_t i, std::size_t before, std::size_t after);
-  void flagEnds(const Competitor& line, std::span<const std::uint32_t> gaps);
+  void flagEnds(const LineRange& line, std::span<const std::uint32_t> gaps);
   void flagCrosstalk(const LineRange& line);
   void smooth();
   void bendAtEnds(std::uint32_t first, std::uint32_t end);
@@ -215,17 +215,16 @@ void StripeExtractor::Impl::walkLines() {
       points.arc[i] = arc;
       arc += points.step[i];
     }
-    flagEnds(lines[l], std::span(gapStarts).subspan(gap, gapsOfLine[l]));
+    flagEnds(line, std::span(gapStarts).subspan(gap, gapsOfLine[l]));
     flagCrosstalk(line);
     gap += gapsOfLine[l];
   }
 }
 
 // Flags, the way to the nearest edge, and how many neighbours there are up to it that it does not touch.
-void StripeExtractor::Impl::flagEnds(const Competitor& line, std::span<const std::uint32_t> gapsInLine) {
+void StripeExtractor::Impl::flagEnds(const LineRange& range, std::span<const std::uint32_t> gapsInLine) {
   const auto reach = static_cast<float>(3 * settings.sigma);
   const auto touched = kEndTouchesSigma * static_cast<float>(settings.sigma) / kPointSpacingPx;
-  const LineRange& range = line.range;
   for (std::size_t g = 0; g <= gapsInLine.size(); ++g) {
     const std::uint32_t first = g == 0 ? range.first : gapsInLine[g - 1];
     const std::uint32_t end = g == gapsInLine.size() ? range.end() : gapsInLine[g];

@@ -40,13 +40,13 @@ TEST_P(Scenes, AreMetAsWellAsByTheReference) {
   for (const StripePoint& p : result.points) {
     const StripePoint* q = byPixel[pixelOf(p)];
     if (q == nullptr || (p.flags & (kLineEnd | kGapEdge | kRejected | kSaturated)) != 0) continue;
+    if (std::abs(p.brightening) > 0.02F) continue;  // there the reference errs: its normal turns with the light
     squares += std::pow((p.x - q->x) * q->nx + (p.y - q->y) * q->ny, 2);
     ++compared;
   }
   ASSERT_GT(compared, 700);
-  // Steger's own offset overshoots by its third order, up to 0.007 px, and errs where the brightness changes along the
-  // line (around saturated stretches); ours has both removed.
-  EXPECT_LT(std::sqrt(squares / compared), 0.3 * reference.rmsPx);
+  // Steger's own offset overshoots by its third order, up to 0.007 px; ours has that removed.
+  EXPECT_LT(std::sqrt(squares / compared), 0.25 * reference.rmsPx);
 }
 
 TEST_P(Scenes, OfOtherSeedsKeepTheLimits) {
