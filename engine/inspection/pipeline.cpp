@@ -235,6 +235,10 @@ void Pipeline::Impl::sendAssembly(To& queue, AssemblyPtr assembly) {
     dropped.kind = Assembly::Kind::Lost;
     dropped.lost = 1;
     dropped.reasons.assign(1, kOverflow);
+    // What its cameras had lost before is not forgotten with it.
+    for (std::size_t c = 0; c < kCameraCount; ++c)
+      if (!dropped.profile.missing[c].empty())
+        dropped.reasons.push_back(cameraReason(static_cast<int>(c), dropped.profile.missing[c]));
   }
   queue.pushToken(std::move(message));
 }
