@@ -57,11 +57,24 @@ struct RangeFinderCalibration {
   double blurPx = 0;  ///< standard deviation of the blur by lens and pixel; 0: unknown, nothing is corrected for it
 };
 
+/// A pin of the plate as the calibration found it, in the world.
+struct CalibratedPin {
+  int number = 0;
+  double xMm = 0, yMm = 0, radiusMm = 0;
+  double uMm = 0, uRadiusMm = 0;  ///< standard uncertainty, of each coordinate and of the radius
+};
+
 struct RigCalibration {
   std::string id;       ///< recorded with every result
   std::string created;  ///< ISO date and time, UTC
   std::string method;   ///< "exact (virtual rig)", "joint", ...
   std::array<RangeFinderCalibration, kCameraCount> rangeFinders;
+  int intervalDays = 0;  ///< after which it is to be repeated; 0: never
+  std::string plate;     ///< id of the pin plate; empty: none was used
+  std::vector<CalibratedPin> pins;
+  /// Covariance of all parameters of all cameras, kRigParameters square in the order of rig_uncertainty.h; empty: exact
+  /// or unknown.
+  Eigen::MatrixXd covariance;
 };
 
 /// TOML, format = 1. Refuses unknown keys, values out of range, rotations that are none (file, key, reason).
