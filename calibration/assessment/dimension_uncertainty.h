@@ -15,7 +15,7 @@ namespace vignole {
 /// Derivative of each dimension (rows in the order of kDimensions) by each parameter of the rig, mm per unit, at the
 /// nominal section in its nominal place: the outline seen by each camera, mapped back by a rig that is changed,
 /// registered and measured. NaN rows for dimensions that the section does not have.
-using DimensionJacobian = Eigen::Matrix<double, kDimensionCount, kRigParameters>;
+using DimensionJacobian = Eigen::Matrix<double, static_cast<int>(kDimensionCount), kRigParameters>;
 [[nodiscard]] Expected<DimensionJacobian> dimensionJacobian(const Section& section,
                                                             const DimensionParameters& parameters,
                                                             const RigCalibration& rig);
