@@ -2,6 +2,7 @@
 
 #include "engine/optics/nominal_rig.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "engine/optics/camera_model.h"
