@@ -41,6 +41,11 @@ double LinePainter::step(const Point2& from, const Point2& to, const Point2& nor
   return light * (kPower * exposure_ * std::max(0.0, normal.dot(toCamera.head<2>())) * (to - from).norm());
 }
 
+double LinePainter::frontalLight(double lengthMm) const {
+  const Point3 toCamera = (view_.centre - Point3(middle_.x(), middle_.y(), 0)).normalized();
+  return kPower * exposure_ * toCamera.head<2>().norm() * lengthMm;
+}
+
 void LinePainter::paint(double light, double reflectanceFrom, double reflectanceTo) {
   if ((middle_ - kernelPlace_).squaredNorm() > kKernelReachMm * kKernelReachMm) {
     kernel_ = static_cast<std::uint32_t>(samples_.kernels.size());

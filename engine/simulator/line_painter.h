@@ -40,6 +40,8 @@ class LinePainter {
   void startStretch(const LitBy& lit);
   /// Goes on to the next edge; returns the light that a white edge would send to the camera.
   double step(const Point2& from, const Point2& to, const Point2& normal);
+  /// Light of a white edge that faces a laser at its usual distance and the camera.
+  [[nodiscard]] double frontalLight(double lengthMm) const;
   [[nodiscard]] const Point2& middle() const { return middle_; }
   /// Light on the edge, times a reflectance that changes evenly along it.
   void paint(double light, double reflectanceFrom, double reflectanceTo);
