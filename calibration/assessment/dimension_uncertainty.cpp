@@ -58,15 +58,16 @@ Expected<std::vector<MonteCarloDimension>> monteCarlo(const Section& section, co
     const auto measured = before->measuredBy(drawn);
     if (!measured) return tl::unexpected(measured.error());
     for (std::size_t d = 0; d < kDimensionCount; ++d)
-      if (before->nominal()[d] && std::isfinite(measured->mm[d])) errors[d].add(measured->mm[d] - *before->nominal()[d]);
+      if (before->nominal()[d] && std::isfinite(measured->mm[d]))
+        errors[d].add(measured->mm[d] - *before->nominal()[d]);
   }
   std::vector<MonteCarloDimension> all;
   for (const DimensionUncertainty& propagated : dimensionUncertainty(*jacobian, sources)) {
     const RunningStatistics& e = errors[index(propagated.dimension)];
     if (e.count() < 2) continue;
     const double sd = propagated.dimension == Dimension::HF ? std::hypot(e.sd(), e.mean()) : e.sd();
-    all.push_back({propagated.dimension, propagated.uMm, sd, e.mean(),
-                   1 / std::sqrt(2.0 * static_cast<double>(e.count() - 1))});
+    all.push_back(
+        {propagated.dimension, propagated.uMm, sd, e.mean(), 1 / std::sqrt(2.0 * static_cast<double>(e.count() - 1))});
   }
   return all;
 }

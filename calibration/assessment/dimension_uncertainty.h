@@ -28,10 +28,10 @@ struct DimensionUncertainty {
 /// Propagation beside what drawn errors do to the measurement itself (JCGM 101).
 struct MonteCarloDimension {
   Dimension dimension{};
-  double uMm = 0;         ///< propagated
-  double drawnMm = 0;     ///< standard deviation of the drawn errors; of HF, an extreme, their root mean square
-  double biasMm = 0;      ///< mean of the drawn errors
-  double relativeU = 0;   ///< of drawnMm, standard, by the number of draws
+  double uMm = 0;        ///< propagated
+  double drawnMm = 0;    ///< standard deviation of the drawn errors; of HF, an extreme, their root mean square
+  double biasMm = 0;     ///< mean of the drawn errors
+  double relativeU = 0;  ///< of drawnMm, standard, by the number of draws
 };
 /// Draws normal errors of all sources, measures the section by the rig so changed. The same seed, the same numbers.
 [[nodiscard]] Expected<std::vector<MonteCarloDimension>> monteCarlo(const Section& section,

@@ -39,8 +39,7 @@ struct SectionBeforeRig::Impl {
     fits.fit(profile, registration, 1);
     definitions.evaluate(fits.shapes(), defined);
     Values values;
-    for (std::size_t d = 0; d < kDimensionCount; ++d)
-      values.mm[d] = defined[d].value ? defined[d].value->value : kNan;
+    for (std::size_t d = 0; d < kDimensionCount; ++d) values.mm[d] = defined[d].value ? defined[d].value->value : kNan;
     const DefinedValue& crown = defined[index(Dimension::HF)];
     values.hfEndsMm = {kNan, kNan};
     if (crown.value) values.hfEndsMm = {crown.candidates.front().value, crown.candidates.back().value};
@@ -154,8 +153,7 @@ Expected<PerDimension<double>> measuredDimensions(const Section& section, const 
   const auto measured = before->measuredBy(assumedRig);
   if (!measured) return tl::unexpected(measured.error());
   PerDimension<double> error{};
-  for (std::size_t d = 0; d < kDimensionCount; ++d)
-    error[d] = measured->mm[d] - before->nominal()[d].value_or(kNan);
+  for (std::size_t d = 0; d < kDimensionCount; ++d) error[d] = measured->mm[d] - before->nominal()[d].value_or(kNan);
   return error;
 }
 

@@ -35,8 +35,8 @@ class SectionBeforeRig {
   ~SectionBeforeRig();
 
   struct Values {
-    PerDimension<double> mm{};              ///< NaN where not measured
-    std::array<double, 2> hfEndsMm{};       ///< deviation of the crown at the ends of the width that HF compares
+    PerDimension<double> mm{};         ///< NaN where not measured
+    std::array<double, 2> hfEndsMm{};  ///< deviation of the crown at the ends of the width that HF compares
   };
   /// The error says why the profile cannot be registered.
   [[nodiscard]] Expected<Values> measuredBy(const RigCalibration& assumedRig);

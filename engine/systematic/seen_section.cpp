@@ -12,10 +12,10 @@ namespace vignole {
 
 namespace {
 
-constexpr double kStepMm = 0.1;             // between the places that are looked at
-constexpr double kLaserDistanceMm = 480;    // from the middle of the section
-constexpr double kLeastCosine = 0.15;       // of the angle between the outline's normal and a ray in the light plane
-constexpr double kBorderPx = 2;             // of the picture: no line is found there
+constexpr double kStepMm = 0.1;           // between the places that are looked at
+constexpr double kLaserDistanceMm = 480;  // from the middle of the section
+constexpr double kLeastCosine = 0.15;     // of the angle between the outline's normal and a ray in the light plane
+constexpr double kBorderPx = 2;           // of the picture: no line is found there
 
 struct Place {
   Point2 point, normal, tangent;
@@ -73,7 +73,9 @@ class Eye {
 class Projector {
  public:
   explicit Projector(const RangeFinderCalibration& finder)
-      : intrinsics_(finder.intrinsics), lens_(lens(finder.intrinsics)), pose_(finder.cameraFromWorld),
+      : intrinsics_(finder.intrinsics),
+        lens_(lens(finder.intrinsics)),
+        pose_(finder.cameraFromWorld),
         plane_(finder.lightPlane) {}
   [[nodiscard]] Eigen::Vector2d operator()(const Point2& point) const {
     const double z = (plane_.distanceMm - plane_.normal.head<2>().dot(point)) / plane_.normal.z();

@@ -18,8 +18,8 @@ inline constexpr float kSeenSigmaPx = 0.1F;
 /// know where its lasers stand: taken as beside their cameras, 480 mm from the middle of the section (optics design,
 /// section 2).
 using SeenLines = std::array<StripeResult, kCameraCount>;
-[[nodiscard]] SeenLines seenLines(const Section& section, const Transform2& worldFromSection,
-                                  const RigCalibration& rig, double stepPx = 2);
+[[nodiscard]] SeenLines seenLines(const Section& section, const Transform2& worldFromSection, const RigCalibration& rig,
+                                  double stepPx = 2);
 /// The profile that a rig believes in when its cameras see these lines.
 [[nodiscard]] Profile profileOf(const SeenLines& lines, const RigCalibration& rig);
 
