@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/optics/camera_model.h"
+#include "engine/optics/nominal_rig.h"
 #include "engine/simulator/hashing.h"
 
 namespace vignole::simulator {
