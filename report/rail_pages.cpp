@@ -108,7 +108,8 @@ class RailPages {
     write(kMargin, foot,
           QStringLiteral("Vignole %1   recipe %2   calibration %3")
               .arg(QString::fromStdString(report_.programVersion), QString::fromStdString(s.recipe),
-                   QString::fromStdString(s.calibrationId)),
+                   QString::fromStdString(
+                       s.calibrationWarning.empty() ? s.calibrationId : s.calibrationId + ", " + s.calibrationWarning)),
           palette_.t2, 14);
     writeRight(right, foot, QStringLiteral("Page %1 of %2").arg(page).arg(pages_.size()), palette_.t2, 14);
   }
