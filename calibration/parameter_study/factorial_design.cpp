@@ -38,20 +38,6 @@ std::size_t sizeOf(const std::vector<Factor>& factors, std::size_t most) {
   return size;
 }
 
-std::vector<Combination> allCombinations(const std::vector<Factor>& factors) {
-  std::vector<Combination> all{{}};
-  for (const Factor& factor : factors) {
-    std::vector<Combination> next;
-    for (const Combination& combination : all)
-      for (int level = 0; level < static_cast<int>(factor.levels.size()); ++level) {
-        next.push_back(combination);
-        next.back().push_back(level);
-      }
-    all = std::move(next);
-  }
-  return all;
-}
-
 /// Chooses rows of a matrix of candidates so that |X'X| becomes large. Holds the inverse of X'X and the variance of
 /// prediction of every candidate, both updated by rank one.
 class FractionChooser {
@@ -152,6 +138,20 @@ std::string words(const std::vector<Factor>& factors, const Combination& combina
     text += (f == 0 ? "" : ", ") + factors[f].name + " " +
             words(factors[f].levels[static_cast<std::size_t>(combination[f])]);
   return text;
+}
+
+std::vector<Combination> allCombinations(const std::vector<Factor>& factors) {
+  std::vector<Combination> all{{}};
+  for (const Factor& factor : factors) {
+    std::vector<Combination> next;
+    for (const Combination& combination : all)
+      for (int level = 0; level < static_cast<int>(factor.levels.size()); ++level) {
+        next.push_back(combination);
+        next.back().push_back(level);
+      }
+    all = std::move(next);
+  }
+  return all;
 }
 
 Expected<FactorialDesign> factorialDesign(std::vector<Factor> factors, const DesignSettings& settings) {

@@ -24,6 +24,9 @@ struct Factor {
 /// Index of the level of each factor, in the order of the factors.
 using Combination = std::vector<int>;
 
+/// Every combination of the levels; the last factor changes fastest.
+[[nodiscard]] std::vector<Combination> allCombinations(const std::vector<Factor>& factors);
+
 struct DesignSettings {
   int maxRuns = 256;        ///< more are refused
   std::optional<int> runs;  ///< a fraction of the full design with as many runs; none: the full one
