@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/simulator/frame_renderer.h"
+#include "engine/simulator/sensor.h"
 #include "engine/simulator/surface.h"
 
 namespace vignole::simulator {
