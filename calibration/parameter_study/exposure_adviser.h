@@ -41,7 +41,7 @@ struct CameraTiming {
 [[nodiscard]] double highestRateHz(const CameraTiming& timing, double exposureMs);
 
 struct ExposureSettings {
-  StripeSettings stripe;
+  StripeSettings stripe{.sigma = 2.2};  ///< as recipes for rails have it
   RailMotionModel motion;
   CameraTiming timing;
   std::optional<double> rateHz;   ///< triggers that are wanted; none: any rate will do

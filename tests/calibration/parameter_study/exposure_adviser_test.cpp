@@ -114,7 +114,8 @@ TEST(ExposureAdvice, SmearIsAddedToPicturesTakenAtRest) {
   ASSERT_TRUE(moving && atRest);
   const double b = motionBlurMm(settings.motion, 20) / 0.2;
   EXPECT_GT(b, 1);
-  EXPECT_NEAR(atRest->rows[1].sigmaPx / moving->rows[1].sigmaPx, std::pow((18 + b * b) / 18, 1.5), 1e-9);
+  const double v = 9 + 2.2 * 2.2;  // of the line and of the filter
+  EXPECT_NEAR(atRest->rows[1].sigmaPx / moving->rows[1].sigmaPx, std::pow((v + b * b) / v, 1.5), 1e-9);
   EXPECT_THAT(reasons(*atRest), testing::HasSubstr("20 ms: motion: smeared"));
 }
 
