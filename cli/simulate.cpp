@@ -14,6 +14,7 @@ void addSimulate(CLI::App& app, int& exitCode) {
   addSimulateRail(*simulate, exitCode);
   addSimulatePlate(*simulate, exitCode);
   addSimulateTarget(*simulate, exitCode);
+  addSimulateCampaign(*simulate, exitCode);
 }
 
 }  // namespace vignole::cli

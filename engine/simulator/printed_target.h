@@ -44,6 +44,7 @@ class PrintedTarget {
   double width_;
   TargetRectangle board_;
   DotPlateFrame frame_;
+  TargetRectangle inFrame_;
   std::vector<Point2> points_;  ///< as printed, mirrored back if need be
   std::vector<Point2> drawn_;   ///< as printed, before mirroring
   std::vector<Point2> shifts_;

@@ -1,10 +1,7 @@
 #include "engine/simulator/virtual_target.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/optics/camera_model.h"
 #include "engine/simulator/hashing.h"
@@ -12,6 +9,7 @@
 #include "engine/simulator/printed_target.h"
 #include "engine/simulator/rig_geometry.h"
 #include "engine/simulator/sensor.h"
+#include "engine/simulator/target_plane.h"
 
 namespace vignole {
 
@@ -21,56 +19,75 @@ namespace {
 
 constexpr double kFocusMm = 400;
 constexpr double kLampWavelengthMm = 550e-6;
-constexpr double kSurroundingsShare = 0.4;              // of what black print reflects: the room behind the board
-constexpr double kLampWithLaser = 0.12;                 // the lamp is dimmed so that the line stands out
-constexpr int kSubPixels = 4;                           // a side, where a border crosses the pixel
-constexpr double kUsualSheetSigmaMm = 0.35;             // where the calibration does not know it
-constexpr std::array<double, 2> kBrightest{0.8, -0.6};  // where the lamp stands: a unit vector in the picture
-
-/// The target's plane as a camera sees it: pixel -> place on the target, distance of that place along the optical axis.
-class TargetPlane {
- public:
-  TargetPlane(const RangeFinderCalibration& finder, const Extrinsics& cameraFromTarget)
-      : lens_(lens(finder.intrinsics)) {
-    const Eigen::Matrix3d back = cameraFromTarget.rotation.transpose();
-    const Point3 centre = -(back * cameraFromTarget.translationMm);
-    // Ray (u, v, f): place = centre + s * back * ray, s = -centre_z / (back * ray)_z.
-    Eigen::Matrix3d rays = back;
-    rays.col(2) *= lens_.focalMm;
-    depth_ = rays.row(2) / (-centre.z());  // 1/s
-    placeX_ = centre.x() * depth_ + rays.row(0);
-    placeY_ = centre.y() * depth_ + rays.row(1);
-    // Distance from the light plane, which the rig knows in the world.
-    const Extrinsics& pose = finder.cameraFromWorld;
-    const Point3 normal = pose.rotation * finder.lightPlane.normal;
-    offset_ = finder.lightPlane.distanceMm + normal.dot(pose.translationMm);
-    plane_ = Point3(normal.x(), normal.y(), normal.z() * lens_.focalMm);
-  }
-  struct Place {
-    Point2 onTarget{0, 0};
-    double perFocal = 0;  ///< focal length / distance along the optical axis
-    double fromLightMm = 0;
-  };
-  [[nodiscard]] Place at(double column, double row) const {
-    const Eigen::Vector2d u = undistortedFromPixel(lens_, Vector2T<double>(column, row));
-    const Point3 ray(u.x(), u.y(), 1);
-    const double inverse = depth_.dot(ray);
-    return {Point2(placeX_.dot(ray), placeY_.dot(ray)) / inverse, inverse, plane_.dot(ray) / inverse - offset_};
-  }
-  [[nodiscard]] const Lens<double>& camera() const { return lens_; }
-
- private:
-  Lens<double> lens_;
-  Eigen::RowVector3d depth_, placeX_, placeY_;
-  Point3 plane_;
-  double offset_ = 0;
-};
+constexpr double kRoomShare = 0.4;           // of what black print reflects: the room behind the board
+constexpr double kLampWithLaser = 0.12;      // the lamp is dimmed so that the line stands out
+constexpr int kSubPixels = 4;                // a side, where a border crosses the pixel
+constexpr double kMostBlurPx2 = 25;          // what is nearer than that is a blot anyway
+constexpr double kUsualSheetSigmaMm = 0.35;  // where the calibration does not know it
+const Point2 kLampSide(0.8, -0.6);           // of the picture: right, above
 
 /// One row of pixels' corners, mapped.
 using Corners = std::vector<TargetPlane::Place>;
 
 void mapCorners(const TargetPlane& plane, int row, Corners& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = plane.at(static_cast<double>(i) - 0.5, row - 0.5);
+}
+
+/// A pixel on the target, by its corners.
+struct PixelOnTarget {
+  const TargetPlane::Place &p00, &p10, &p01, &p11;
+
+  PixelOnTarget(const Corners& above, const Corners& below, std::size_t x)
+      : p00(above[x]), p10(above[x + 1]), p01(below[x]), p11(below[x + 1]) {}
+  [[nodiscard]] bool isBefore() const {
+    return p00.perFocal > 0 && p10.perFocal > 0 && p01.perFocal > 0 && p11.perFocal > 0;
+  }
+  [[nodiscard]] Point2 middle() const { return (p00.onTarget + p10.onTarget + p01.onTarget + p11.onTarget) / 4; }
+  [[nodiscard]] Footprint footprint() const {
+    return {(p10.onTarget + p11.onTarget - p00.onTarget - p01.onTarget) / 2,
+            (p01.onTarget + p11.onTarget - p00.onTarget - p10.onTarget) / 2};
+  }
+  /// Place within the pixel, both from 0 to 1.
+  [[nodiscard]] Point2 at(double s, double t) const {
+    return (1 - t) * ((1 - s) * p00.onTarget + s * p10.onTarget) + t * ((1 - s) * p01.onTarget + s * p11.onTarget);
+  }
+};
+
+PrintedShares sharesAcrossBorder(const PrintedTarget& printed, const PixelOnTarget& pixel, const Footprint& footprint) {
+  const Footprint part{footprint.a / kSubPixels, footprint.b / kSubPixels};
+  PrintedShares shares;
+  for (int v = 0; v < kSubPixels; ++v)
+    for (int u = 0; u < kSubPixels; ++u) {
+      const PrintedShares one = printed.shares(pixel.at((u + 0.5) / kSubPixels, (v + 0.5) / kSubPixels), part);
+      shares.white += one.white / (kSubPixels * kSubPixels);
+      shares.black += one.black / (kSubPixels * kSubPixels);
+    }
+  return shares;
+}
+
+/// What the pixels of one row show of the target.
+void rowOfShares(const PrintedTarget& printed, const Corners& above, const Corners& below,
+                 std::vector<PrintedShares>& row) {
+  constexpr double kLongestRunPx = 32;  // the scale changes by little over it
+  constexpr double kSafe = 0.9;
+  for (std::size_t x = 0; x < row.size();) {
+    const PixelOnTarget pixel(above, below, x);
+    if (!pixel.isBefore()) {  // beyond the plane's horizon
+      row[x++] = {};
+      continue;
+    }
+    const Footprint footprint = pixel.footprint();
+    const double step = footprint.a.norm(), reach = (step + footprint.b.norm()) / 2;
+    const double clear = printed.clearanceMm(pixel.middle()) - reach;
+    if (clear <= 0) {
+      row[x++] = sharesAcrossBorder(printed, pixel, footprint);
+      continue;
+    }
+    // The same as far as no border can be.
+    const PrintedShares shares = printed.shares(pixel.middle(), footprint);
+    const auto run = static_cast<std::size_t>(std::min(kLongestRunPx, kSafe * clear / step));
+    for (const std::size_t end = std::min(row.size(), x + run + 1); x < end; ++x) row[x] = shares;
+  }
 }
 
 }  // namespace
@@ -82,7 +99,8 @@ struct VirtualTarget::Impl {
   mutable ScratchPool<Canvas> canvases;
 
   explicit Impl(VirtualTargetSettings s);
-  [[nodiscard]] double blurVariance(double distanceMm) const;
+  [[nodiscard]] double blurVariance(double perMm) const;
+  [[nodiscard]] double laserDn(const PixelOnTarget& pixel) const;
   void paint(const TargetPlane& plane, bool laser, Canvas& canvas, std::vector<float>& variance) const;
 };
 
@@ -107,70 +125,51 @@ VirtualTarget::Impl::Impl(VirtualTargetSettings s)
       speckled(settings.seed, noiseOf(settings, settings.speckle), settings.camera.intrinsics.widthPx,
                settings.camera.intrinsics.heightPx) {}
 
-/// Of lens and diffraction, px^2; the pixel's own is in the areas.
-double VirtualTarget::Impl::blurVariance(double distanceMm) const {
+/// Of lens and diffraction, px^2 (the pixel's own is in the areas), at 1 / distance along the optical axis.
+double VirtualTarget::Impl::blurVariance(double perMm) const {
   const Intrinsics& in = settings.camera.intrinsics;
   const double aperture = in.focalMm / kFNumber;
-  const double disk = settings.defocus * aperture * in.focalMm / (kFocusMm - in.focalMm) *
-                      std::abs(distanceMm - kFocusMm) / distanceMm / in.pixelWidthMm;
+  const double disk =
+      settings.defocus * aperture * in.focalMm / ((kFocusMm - in.focalMm) * in.pixelWidthMm) * (1 - kFocusMm * perMm);
   const double diffraction = 0.45 * kLampWavelengthMm * kFNumber / in.pixelWidthMm;
   return disk * disk / 16 + diffraction * diffraction;
 }
 
-/// Light of every pixel before blur and noise, and the blur there.
+/// Of the laser on white: the sheet's thickness, and the pixel's extent across it.
+double VirtualTarget::Impl::laserDn(const PixelOnTarget& pixel) const {
+  const double known = settings.camera.lightPlane.thicknessMm, sheet = known > 0 ? known : kUsualSheetSigmaMm;
+  const auto &p00 = pixel.p00, &p10 = pixel.p10, &p01 = pixel.p01, &p11 = pixel.p11;
+  const double far = (p00.fromLightMm + p10.fromLightMm + p01.fromLightMm + p11.fromLightMm) / 4;
+  const double dx = p10.fromLightMm - p00.fromLightMm, dy = p01.fromLightMm - p00.fromLightMm;
+  const double spread = sheet * sheet + (dx * dx + dy * dy) / 12;
+  return settings.laserDn * sheet / std::sqrt(spread) * std::exp(-far * far / (2 * spread));
+}
+
+/// Light of every pixel before blur and noise, and the variance of the blur there.
 void VirtualTarget::Impl::paint(const TargetPlane& plane, bool laser, Canvas& canvas,
                                 std::vector<float>& variance) const {
   const Intrinsics& in = settings.camera.intrinsics;
-  const double lamp = laser ? kLampWithLaser : 1;
-  const double sheet =
-      settings.camera.lightPlane.thicknessMm > 0 ? settings.camera.lightPlane.thicknessMm : kUsualSheetSigmaMm;
-  const double blackShare = settings.darkDn / settings.brightDn;
-  Corners above(static_cast<std::size_t>(in.widthPx) + 1), below = above;
+  const double black = settings.darkDn / settings.brightDn, room = kRoomShare * black;
+  const auto columns = static_cast<std::size_t>(in.widthPx);
+  Corners above(columns + 1), below(columns + 1);
+  std::vector<PrintedShares> shares(columns);
   mapCorners(plane, 0, above);
-  for (int y = 0; y < in.heightPx; ++y) {
+  float* blur = variance.data();
+  for (int y = 0; y < in.heightPx; ++y, blur += columns) {
     mapCorners(plane, y + 1, below);
+    rowOfShares(printed, above, below, shares);
     float* row = canvas.row(y);
-    for (int x = 0; x < in.widthPx; ++x) {
-      const auto i = static_cast<std::size_t>(x);
-      const TargetPlane::Place &p00 = above[i], &p10 = above[i + 1], &p01 = below[i], &p11 = below[i + 1];
-      const Point2 middle = (p00.onTarget + p10.onTarget + p01.onTarget + p11.onTarget) / 4;
-      const Footprint pixel{(p10.onTarget + p11.onTarget - p00.onTarget - p01.onTarget) / 2,
-                            (p01.onTarget + p11.onTarget - p00.onTarget - p10.onTarget) / 2};
-      PrintedShares shares;
-      const double reach = (pixel.a.norm() + pixel.b.norm()) / 2;
-      const bool before = p00.perFocal > 0 && p11.perFocal > 0 && p01.perFocal > 0 && p10.perFocal > 0;
-      if (!before) {
-        // Beyond the plane's horizon: nothing of the board is there.
-      } else if (printed.clearanceMm(middle) > reach) {
-        shares = printed.shares(middle, pixel);
-      } else {
-        const Footprint part{pixel.a / kSubPixels, pixel.b / kSubPixels};
-        for (int v = 0; v < kSubPixels; ++v)
-          for (int u = 0; u < kSubPixels; ++u) {
-            const double s = (u + 0.5) / kSubPixels, t = (v + 0.5) / kSubPixels;
-            const Point2 at =
-                (1 - t) * ((1 - s) * p00.onTarget + s * p10.onTarget) + t * ((1 - s) * p01.onTarget + s * p11.onTarget);
-            const PrintedShares one = printed.shares(at, part);
-            shares.white += one.white / (kSubPixels * kSubPixels);
-            shares.black += one.black / (kSubPixels * kSubPixels);
-          }
-      }
-      const double inverse = (p00.perFocal + p11.perFocal) / 2;
-      const double side =
-          kBrightest[0] * ((x + 0.5) / in.widthPx - 0.5) + kBrightest[1] * ((y + 0.5) / in.heightPx - 0.5);
-      double light = lamp * settings.brightDn * (1 + settings.gradient * side);
-      const double reflectance = shares.white + blackShare * shares.black;
-      double dn = light * (reflectance + blackShare * kSurroundingsShare * (1 - shares.white - shares.black));
-      if (laser && before) {
-        // The sheet's own thickness and the pixel's extent across it.
-        const double far = (p00.fromLightMm + p10.fromLightMm + p01.fromLightMm + p11.fromLightMm) / 4;
-        const double dx = (p10.fromLightMm - p00.fromLightMm), dy = (p01.fromLightMm - p00.fromLightMm);
-        const double spread = sheet * sheet + (dx * dx + dy * dy) / 12;
-        dn += settings.laserDn * sheet / std::sqrt(spread) * std::exp(-far * far / (2 * spread)) * reflectance;
-      }
+    for (std::size_t x = 0; x < columns; ++x) {
+      const PixelOnTarget pixel(above, below, x);
+      const double side = kLampSide.x() * ((static_cast<double>(x) + 0.5) / in.widthPx - 0.5) +
+                          kLampSide.y() * ((y + 0.5) / in.heightPx - 0.5);
+      const double lamp = settings.brightDn * (laser ? kLampWithLaser : 1) * (1 + settings.gradient * side);
+      const double reflected = shares[x].white + black * shares[x].black;
+      double dn = lamp * (reflected + room * (1 - shares[x].white - shares[x].black));
+      if (laser && reflected > 0) dn += laserDn(pixel) * reflected;
       row[x] = static_cast<float>(dn);
-      variance[static_cast<std::size_t>(y) * static_cast<std::size_t>(in.widthPx) + i] =
-          static_cast<float>(before ? blurVariance(plane.camera().focalMm / inverse) : 0);
+      const double perFocal = (pixel.p00.perFocal + pixel.p11.perFocal) / 2;
+      blur[x] = perFocal > 0 ? static_cast<float>(std::min(kMostBlurPx2, blurVariance(perFocal / in.focalMm))) : 0.0F;
     }
     std::swap(above, below);
   }
@@ -219,88 +218,6 @@ std::vector<Point2> VirtualTarget::truePixels(const Extrinsics& cameraFromTarget
     pixels.emplace_back(project<double>(camera, cameraFromTarget.rotation, cameraFromTarget.translationMm,
                                         Point3(point.x(), point.y(), 0)));
   return pixels;
-}
-
-namespace {
-
-/// A pose by where the board's middle is seen, how far it is, how it is tilted (about an axis in the picture) and
-/// turned.
-struct Stance {
-  Point2 px{0, 0};
-  double distanceMm = 0, tiltRad = 0, tiltAxisRad = 0, rollRad = 0;
-};
-
-Extrinsics poseOf(const Stance& stance, const Intrinsics& in, const Point2& middle) {
-  const Eigen::Vector2d u = undistortedFromPixel(lens(in), Vector2T<double>(stance.px));
-  const Point3 axis(std::cos(stance.tiltAxisRad), std::sin(stance.tiltAxisRad), 0);
-  Extrinsics pose;
-  pose.rotation =
-      (Eigen::AngleAxisd(stance.tiltRad, axis) * Eigen::AngleAxisd(stance.rollRad, Point3::UnitZ())).toRotationMatrix();
-  pose.translationMm = stance.distanceMm / in.focalMm * Point3(u.x(), u.y(), in.focalMm) -
-                       pose.rotation * Point3(middle.x(), middle.y(), 0);
-  return pose;
-}
-
-/// Whether every point, and what belongs to it, is in the picture.
-bool fits(const PlanarTarget& target, const Intrinsics& in, const Extrinsics& pose) {
-  constexpr double kEdgePx = 6;
-  const TargetRectangle printed = [&] {
-    TargetRectangle r = board(target);
-    const double margin = target.pattern == TargetPattern::Chessboard ? target.pitchMm : target.pitchMm / 8;
-    r.min += Point2(margin, margin);
-    r.max -= Point2(margin, margin);
-    return r;
-  }();
-  const Lens<double> camera = lens(in);
-  for (const double x : {printed.min.x(), printed.max.x()})
-    for (const double y : {printed.min.y(), printed.max.y()}) {
-      const Point3 point = pose.rotation * Point3(x, y, 0) + pose.translationMm;
-      if (!(point.z() > 0)) return false;
-      const Eigen::Vector2d px = projectFromCamera<double>(camera, point);
-      if (!(px.x() >= kEdgePx && px.y() >= kEdgePx && px.x() <= in.widthPx - 1 - kEdgePx &&
-            px.y() <= in.heightPx - 1 - kEdgePx))
-        return false;
-    }
-  return true;
-}
-
-}  // namespace
-
-std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics& in, int count, std::uint64_t seed) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  constexpr double kNearestMm = 350, kFarthestMm = 450, kTooFarMm = 4000;
-  // Where the board goes, from the middle of the picture (-1 .. 1): over its corners, edges and middle.
-  constexpr std::array<std::array<double, 2>, 9> kPlaces = {
-      {{0, 0}, {-1, -1}, {1, 1}, {1, -1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
-  constexpr int kBeyondEvery = 8;   // of so many views one shows the board partly outside
-  constexpr double kBeyond = 1.15;  // so much farther out than it fits
-  const TargetRectangle whole = board(target);
-  const Point2 middle = (whole.min + whole.max) / 2;
-  const Point2 centre((in.widthPx - 1) / 2.0, (in.heightPx - 1) / 2.0);
-  std::vector<Extrinsics> views;
-  for (int i = 0; i < count; ++i) {
-    Draws draws(seed, Stream::View, {static_cast<std::uint64_t>(i)});
-    const auto& place = kPlaces[static_cast<std::size_t>(i) % kPlaces.size()];
-    Stance stance;
-    stance.distanceMm = draws.uniform(kNearestMm, kFarthestMm);
-    stance.tiltRad = (i == 0 ? draws.uniform(0, 5) : draws.uniform(15, 35)) * kDegree;
-    stance.tiltAxisRad = 2.4 * i + draws.uniform(-0.3, 0.3);  // the golden angle: to all sides
-    stance.rollRad = draws.uniform(-15, 15) * kDegree + (i % 4 == 3 ? std::numbers::pi / 2 : 0);
-    const auto poseAt = [&](double share) {
-      Stance there = stance;
-      there.px = centre + share * Point2(place[0] * centre.x(), place[1] * centre.y());
-      return poseOf(there, in, middle);
-    };
-    while (!fits(target, in, poseAt(0)) && stance.distanceMm < kTooFarMm) stance.distanceMm *= 1.02;
-    double low = 0, high = 1;
-    for (int step = 0; step < 20; ++step) {
-      const double share = (low + high) / 2;
-      (fits(target, in, poseAt(share)) ? low : high) = share;
-    }
-    const bool beyond = i % kBeyondEvery == kBeyondEvery - 1;
-    views.push_back(poseAt(beyond ? kBeyond * low : draws.uniform(0.75, 1) * low));
-  }
-  return views;
 }
 
 }  // namespace vignole
