@@ -108,7 +108,9 @@ void addCalibrateExposure(CLI::App& calibrate, int& exitCode) {
   command->add_option("--vibration-hz", s.motion.vibrationHz, "Its frequency, Hz")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--slope", s.motion.slopeMmPerM, "Of the rail against its line of motion, mm/m")
+  command
+      ->add_option("--slope", s.motion.slopeMmPerM,
+                   "How the rail moves across its way: bends, wander on the roller table, mm/m")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--at-rest", s.takenAtRest, "The pictures were taken at rest: the smear by motion is added");

@@ -25,7 +25,7 @@ struct RailMotionModel {
   double speedMPerS = 1;
   double vibrationMm = 0.05;  ///< standard deviation across the line
   double vibrationHz = 20;
-  double slopeMmPerM = 1;  ///< of the section's position along the rail: bends, twist
+  double slopeMmPerM = 3;  ///< how the section moves across its way along the rail: bends, wander on the roller table
 };
 /// Standard deviation of the smear across the line, mm.
 [[nodiscard]] double motionBlurMm(const RailMotionModel& motion, double exposureMs);
