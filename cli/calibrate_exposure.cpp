@@ -13,13 +13,17 @@
 #include "cli/calibrate.h"
 #include "cli/console.h"
 #include "cli/exposure_output.h"
+#include "cli/report_files.h"
+#ifdef VIGNOLE_REPORT
+#include "report/study_document.h"
+#endif
 
 namespace vignole::cli {
 namespace {
 
 struct Options {
   std::vector<std::string> images;
-  std::string calibration, json;
+  std::string calibration, json, report;
   ExposureSettings settings;
   double rateHz = 0, mmPerPx = 0;
   bool noOverlap = false, quiet = false;
@@ -43,9 +47,21 @@ Expected<ExposureAdvice> advise(const Options& options) {
   return adviseExposure(*pictures, rig ? &*rig : nullptr, settings, job);
 }
 
+#ifdef VIGNOLE_REPORT
+Expected<void> report(const ExposureAdvice& advice, const std::string& file) {
+  return writeDocumentReport(exposureDocument(advice, std::to_string(advice.readings.size()) + " pictures"), file);
+}
+#else
+Expected<void> report(const ExposureAdvice&, const std::string& file) { return writeDocumentReport({}, file); }
+#endif
+
 int run(const Options& options) {
+  if (!options.report.empty())
+    if (const auto possible = checkDocumentFile(options.report); !possible) return fail(possible.error());
   const auto advice = advise(options);
   if (!advice) return fail(advice.error());
+  if (!options.report.empty())
+    if (const auto written = report(*advice, options.report); !written) return fail(written.error());
   if (!options.json.empty())
     if (const auto written = writeJson(options.json, toJson(*advice)); !written) return fail(written.error());
   if (options.json != "-")
@@ -64,8 +80,10 @@ constexpr const char* kFooter =
     "before the last picture is read out: 15 ms are 66 triggers a second.\n"
     "Recommended is the shortest exposure that breaks no limit and whose uncertainty is nearly that of the best.\n"
     "Columns: clipped (worst picture), S/N (median contrast over the noise of a pixel), weak (of the weakest 5 % of a\n"
-    "line, worst picture), found (points against the exposure that shows most), u (standard uncertainty of a point\n"
-    "across the line), blur (by motion), max Hz, mm/prof (profiles along the rail at that rate), u/m (mean over a\n"
+    "line, worst picture), found (points against the unclipped exposure that shows most), u (standard uncertainty of "
+    "a\n"
+    "point across the line; clipped lines hide their noise), blur (by motion), max Hz, mm/prof (profiles along the "
+    "rail at that rate), u/m (mean over a\n"
     "metre).\n"
     "Exit code 1: every exposure breaks a limit.\n\n"
     "Example: vignole-cli calibrate exposure rails/exposure* --calibration rig.toml --speed 1 --rate 66\n";
@@ -90,7 +108,9 @@ void addCalibrateExposure(CLI::App& calibrate, int& exitCode) {
   command->add_option("--vibration-hz", s.motion.vibrationHz, "Its frequency, Hz")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--slope", s.motion.slopeMmPerM, "Of the rail against its line of motion, mm/m")
+  command
+      ->add_option("--slope", s.motion.slopeMmPerM,
+                   "How the rail moves across its way: bends, wander on the roller table, mm/m")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--at-rest", s.takenAtRest, "The pictures were taken at rest: the smear by motion is added");
@@ -112,6 +132,7 @@ void addCalibrateExposure(CLI::App& calibrate, int& exitCode) {
   command->add_option("--min-found", s.minCoverage, "Share of the line's points, at least")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  command->add_option("--report", options->report, "FILE.pdf: verdict, table, plots");
   command->add_option("--json", options->json, "All results; - is stdout");
   command->add_flag("--quiet", options->quiet, "No progress");
   command->footer(kFooter);
