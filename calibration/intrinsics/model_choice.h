@@ -17,7 +17,7 @@ struct CrossValidationSettings {
 /// One variant before pictures that its adjustment was not given: half of the points of such a picture fit its pose,
 /// the others are judged, and the other way round.
 struct HeldOut {
-  double rmsPx = 0;                              ///< over all points
+  double rmsPx = 0;                             ///< over all points
   std::vector<std::vector<double>> squaresPx2;  ///< of each point's residual, as TargetObservations::views
 };
 

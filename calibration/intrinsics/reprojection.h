@@ -3,12 +3,11 @@
 
 #include <Eigen/Core>
 
+#include "calibration/intrinsics/calibrated_intrinsics.h"
 #include "engine/geometry/transform2.h"
-#include "engine/optics/rig_uncertainty.h"
 
 namespace vignole {
 
-inline constexpr int kIntrinsicParameters = 10;  ///< F ... P2 of CameraParameter
 using IntrinsicVector = Eigen::Matrix<double, kIntrinsicParameters, 1>;
 
 /// Values in the order of CameraParameter, units as in Intrinsics.

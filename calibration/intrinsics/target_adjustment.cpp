@@ -114,13 +114,7 @@ class Adjustment {
   TargetFit solve() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_SCHUR;
-    options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    for (Vector6& change : changes_)
-      if (problem_.HasParameterBlock(change.data()))
-        options.linear_solver_ordering->AddElementToGroup(change.data(), 0);
-    options.linear_solver_ordering->AddElementToGroup(intrinsics_.data(), 1);
-    for (Eigen::Vector3d& point : points_)
-      if (problem_.HasParameterBlock(point.data())) options.linear_solver_ordering->AddElementToGroup(point.data(), 1);
+    options.linear_solver_ordering = eliminationOrder();
     options.max_num_iterations = settings_.maxIterations;
     options.function_tolerance = 1e-10;  // a change of 1e-3 standard deviations, and less
     options.gradient_tolerance = 1e-12;
@@ -140,6 +134,19 @@ class Adjustment {
   }
 
  private:
+  /// Points of the target first where they are unknowns, since there are many; otherwise the poses.
+  std::shared_ptr<ceres::ParameterBlockOrdering> eliminationOrder() {
+    auto order = std::make_shared<ceres::ParameterBlockOrdering>();
+    const auto add = [&](double* block, int group) {
+      if (problem_.HasParameterBlock(block)) order->AddElementToGroup(block, group);
+    };
+    const bool points = settings_.pointSigmaMm > 0 && !settings_.posesOnly;
+    for (Eigen::Vector3d& point : points_) add(point.data(), points ? 0 : 1);
+    for (Vector6& change : changes_) add(change.data(), points ? 1 : 0);
+    add(intrinsics_.data(), 1);
+    return order;
+  }
+
   void addViews(const TargetObservations& observations) {
     ceres::LossFunction* loss = settings_.robust ? &cauchy_ : nullptr;
     for (std::size_t v = 0; v < observations.views.size(); ++v)
