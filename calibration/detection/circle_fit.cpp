@@ -170,6 +170,7 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
     if (settled) break;
   }
   result.contrastDn = p[kContrast];
+  result.groundDn = p[kOutside];
   result.noiseDn = fit.noiseDn;
   result.rmsDn = fit.rmsDn;
   result.uPx = std::sqrt(0.5 * (fit.covariance(kX, kX) + fit.covariance(kY, kY)));

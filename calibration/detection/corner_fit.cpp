@@ -175,6 +175,7 @@ std::optional<CornerFit> fitCorner(const ImageView& image, const Corner& start, 
   result.corner.angle2 = p[kAngle2];
   result.corner.brightBetween = p[kHalf] > 0;
   result.contrastDn = 2 * std::abs(p[kHalf]);
+  result.groundDn = p[kMean];
   result.noiseDn = fit.noiseDn;
   result.rmsDn = fit.rmsDn;
   result.uPx = std::sqrt(0.5 * (fit.covariance(kX, kX) + fit.covariance(kY, kY)));
