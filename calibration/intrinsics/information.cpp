@@ -5,10 +5,34 @@
 
 namespace vignole {
 
+namespace {
+
+/// Units differ by orders of magnitude, so it is inverted with about ones on its diagonal: divided by the square roots
+/// of `diagonal`. Directions without information get next to none.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& diagonal) {
+  constexpr double kNothing = 1e-15;
+  const Eigen::VectorXd scale = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
+  const Eigen::VectorXd inverted = solver.eigenvalues().cwiseMax(kNothing).cwiseInverse();
+  return scale.asDiagonal() * solver.eigenvectors() * inverted.asDiagonal() * solver.eigenvectors().transpose() *
+         scale.asDiagonal();
+}
+
+}  // namespace
+
 Information::Information(const LensVariant& variant, std::size_t freePoints) {
   for (const CameraParameter p : freeParameters(variant)) free_.push_back(static_cast<int>(p));
   const auto size = static_cast<Eigen::Index>(free_.size() + 2 * freePoints);
   matrix_ = Eigen::MatrixXd::Zero(size, size);
+}
+
+Information::Information(const LensVariant& variant,
+                         const Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters>& covariance)
+    : Information(variant, 0) {
+  for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix_.cols(); ++j)
+      matrix_(i, j) = covariance(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(j)]);
+  matrix_ = inverse(matrix_, matrix_.diagonal());
 }
 
 void Information::add(const Intrinsics& in, const Extrinsics& cameraFromTarget,
@@ -48,19 +72,12 @@ Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> Information::c
   Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> covariance;
   covariance.setZero();
   const auto n = static_cast<Eigen::Index>(free_.size());
-  // Points first: they are many and well determined. Then the units, which differ by orders of magnitude.
   Eigen::MatrixXd reduced = matrix_.topLeftCorner(n, n);
   if (const Eigen::Index points = matrix_.rows() - n; points > 0) {
     const Eigen::LDLT<Eigen::MatrixXd> factor(matrix_.bottomRightCorner(points, points));
     reduced -= matrix_.topRightCorner(n, points) * factor.solve(matrix_.bottomLeftCorner(points, n));
   }
-  const Eigen::VectorXd scale =
-      matrix_.diagonal().head(n).unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * reduced * scale.asDiagonal());
-  constexpr double kNothing = 1e-15;  // of what a parameter would be known by if all others were
-  const Eigen::VectorXd inverse = solver.eigenvalues().cwiseMax(kNothing).cwiseInverse();
-  const Eigen::MatrixXd dense = scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() *
-                                solver.eigenvectors().transpose() * scale.asDiagonal();
+  const Eigen::MatrixXd dense = inverse(reduced, matrix_.diagonal().head(n));
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
       covariance(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(j)]) =

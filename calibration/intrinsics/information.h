@@ -10,6 +10,9 @@ class Information {
  public:
   /// `freePoints`: the target's points are unknowns as well (x and y).
   Information(const LensVariant& variant, std::size_t freePoints);
+  /// Of the intrinsics alone, that leaves this covariance.
+  Information(const LensVariant& variant,
+              const Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters>& covariance);
   /// Points that the camera cannot see at the fit add nothing.
   void add(const Intrinsics& in, const Extrinsics& cameraFromTarget, const std::vector<Eigen::Vector3d>& points,
            double radiusMm, const ObservedView& view);
