@@ -86,7 +86,10 @@ constexpr const char* kFooter =
     "rail at that rate), u/m (mean over a\n"
     "metre).\n"
     "Exit code 1: every exposure breaks a limit.\n\n"
-    "Example: vignole-cli calibrate exposure rails/exposure* --calibration rig.toml --speed 1 --rate 66\n";
+    "Example: for t in 5 10 15 20; do vignole-cli simulate rail --out rails/exposure${t}ms --frames 6 --spacing 500 "
+    "\\\n"
+    "           --exposure $t; done\n"
+    "         vignole-cli calibrate exposure rails --calibration rails/exposure5ms/calibration.toml --rate 66\n";
 
 }  // namespace
 
