@@ -1,10 +1,6 @@
 #include "report/rail_pages.h"
 
-#include <QBuffer>
-#include <QFontMetricsF>
-#include <QPageSize>
 #include <QPainter>
-#include <QPdfWriter>
 #include <QPen>
 #include <algorithm>
 #include <functional>
@@ -12,6 +8,7 @@
 
 #include "report/dimension_text.h"
 #include "report/hatch.h"
+#include "report/page_frame.h"
 #include "report/profile_drawing.h"
 #include "report/report_parts.h"
 #include "report/state_symbol.h"
@@ -22,10 +19,6 @@ namespace vignole {
 
 namespace {
 
-constexpr double kUnitsPerInch = 144;
-constexpr int kResolution = 1200;
-const QSizeF kPage(210.0 / 25.4 * kUnitsPerInch, 297.0 / 25.4 * kUnitsPerInch);
-constexpr double kMargin = 72, kHeadHeight = 56, kFootHeight = 44;
 constexpr double kBodyPx = 16;
 constexpr double kListRow = 26;
 constexpr std::size_t kMostExceptions = 400;  // a certificate, not a database: the rest is counted and told
@@ -54,63 +47,34 @@ class RailPages {
     planLists();
   }
 
-  void paint(QPdfWriter& writer, QPainter& painter) {
-    painter_ = &painter;
-    for (std::size_t page = 0; page < pages_.size(); ++page) {
-      if (page > 0) writer.newPage();
-      painter.save();
-      painter.scale(kResolution / kUnitsPerInch, kResolution / kUnitsPerInch);
-      painter.setRenderHint(QPainter::Antialiasing);
-      frame(page + 1);
-      body();
-      pages_[page](bodyArea());
-      painter.restore();
-    }
+  [[nodiscard]] QByteArray pdf() {
+    const RailSummary& s = *report_.summary;
+    const QString rail = QStringLiteral("Rail ") + QString::fromStdString(s.rail.id);
+    const QString program = QStringLiteral("Vignole ") + QString::fromStdString(report_.programVersion);
+    PageFrame frame;
+    frame.title = QStringLiteral("Rail profile report");
+    frame.subject = rail;
+    frame.foot = QStringLiteral("%1   recipe %2   calibration %3")
+                     .arg(program, QString::fromStdString(s.recipe), QString::fromStdString(s.calibrationId));
+    frame.simulation = report_.simulation;
+    frame.markOnFirstPage = false;  // the verdict there carries it
+    std::vector<std::function<void(QPainter&, const QRectF&)>> pages;
+    for (const auto& page : pages_)
+      pages.emplace_back([this, &page](QPainter& painter, const QRectF& body) {
+        painter_ = &painter;
+        page(body);
+      });
+    return pdfOfPages(frame, rail, program, pages);
   }
 
  private:
-  static QRectF bodyArea() {
-    const double top = kMargin + kHeadHeight, bottom = kPage.height() - kMargin - kFootHeight;
-    return {kMargin, top, kPage.width() - 2 * kMargin, bottom - top};
-  }
   void body() { painter_->setFont(typeface(kBodyPx)); }
   void write(double x, double y, const QString& what, const QColor& ink, double px = kBodyPx,
              QFont::Weight weight = QFont::Normal) {
-    painter_->setFont(typeface(px, weight));
-    painter_->setPen(ink);
-    painter_->drawText(QPointF(x, y), what);
+    writeText(*painter_, x, y, what, ink, px, weight);
   }
   void writeRight(double right, double y, const QString& what, const QColor& ink, double px = kBodyPx) {
-    painter_->setFont(typeface(px));
-    painter_->setPen(ink);
-    painter_->drawText(QPointF(right - QFontMetricsF(painter_->font()).horizontalAdvance(what), y), what);
-  }
-  void line(double y) {
-    painter_->setPen(QPen(palette_.line, 1));
-    painter_->drawLine(QPointF(kMargin, y), QPointF(kPage.width() - kMargin, y));
-  }
-
-  void frame(std::size_t page) {
-    const RailSummary& s = *report_.summary;
-    const double right = kPage.width() - kMargin, base = kMargin + 28;
-    write(kMargin, base, QStringLiteral("Vignole"), palette_.t1, 26, QFont::Bold);
-    write(kMargin + 112, base, QStringLiteral("Rail profile report"), palette_.t2, 20);
-    const QString id = QStringLiteral("Rail ") + QString::fromStdString(s.rail.id);
-    writeRight(right, base, id, palette_.t1, 20);
-    if (report_.simulation && page > 1) {
-      const double wide = QFontMetricsF(typeface(20)).horizontalAdvance(id);
-      body();
-      paintSimulationMark(*painter_, QPointF(right - wide - 24, base - 7), palette_);
-    }
-    line(kMargin + kHeadHeight - 14);
-    const double foot = kPage.height() - kMargin;
-    line(foot - 26);
-    write(kMargin, foot,
-          QStringLiteral("Vignole %1   recipe %2   calibration %3")
-              .arg(QString::fromStdString(report_.programVersion), QString::fromStdString(s.recipe),
-                   QString::fromStdString(s.calibrationId)),
-          palette_.t2, 14);
-    writeRight(right, foot, QStringLiteral("Page %1 of %2").arg(page).arg(pages_.size()), palette_.t2, 14);
+    writeTextRight(*painter_, right, y, what, ink, px);
   }
 
   void overview(const QRectF& area) {
@@ -192,13 +156,13 @@ class RailPages {
     return 34 + kListRow * (4 + static_cast<double>(report_.summary->triggers.reasons.size())) + 140;
   }
   void planLists() {
-    const double room = bodyArea().height() - 80;
+    const double room = pageBody().height() - 80;
     const auto perPage = static_cast<std::size_t>(room / kListRow);
     std::size_t first = 0;
     do {
       const std::size_t count = std::min(perPage, shownExceptions_ - first);
       const bool last = first + count == shownExceptions_;
-      const bool ledgerFits = static_cast<double>(count) * kListRow + 60 + ledgerHeight() < bodyArea().height();
+      const bool ledgerFits = static_cast<double>(count) * kListRow + 60 + ledgerHeight() < pageBody().height();
       pages_.emplace_back([this, first, count, withLedger = last && ledgerFits](const QRectF& body) {
         const double y = exceptionList(body, first, count);
         if (withLedger) ledger(body, y + 40);
@@ -298,23 +262,6 @@ class RailPages {
 
 }  // namespace
 
-QByteArray railPdf(const RailReport& report) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  if (!buffer.open(QIODevice::WriteOnly)) return {};
-  {
-    QPdfWriter writer(&buffer);
-    writer.setResolution(kResolution);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer.setTitle(QStringLiteral("Rail ") + QString::fromStdString(report.summary->rail.id));
-    writer.setCreator(QStringLiteral("Vignole ") + QString::fromStdString(report.programVersion));
-    QPainter painter;
-    if (!painter.begin(&writer)) return {};
-    RailPages(report).paint(writer, painter);
-    if (!painter.end()) return {};
-  }
-  return bytes;
-}
+QByteArray railPdf(const RailReport& report) { return RailPages(report).pdf(); }
 
 }  // namespace vignole

@@ -29,6 +29,7 @@ class TomlReader {
   [[nodiscard]] bool boolean(std::string_view key, std::optional<bool> fallback = {});
   [[nodiscard]] std::string text(std::string_view key, std::optional<std::string> fallback = {});
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count);
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key);
   /// Keys of a table (marks the table itself as known), or the number of tables in an array of tables.
   [[nodiscard]] std::vector<std::string> keys(std::string_view table);
   [[nodiscard]] std::size_t size(std::string_view array);

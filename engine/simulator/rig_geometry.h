@@ -25,6 +25,8 @@ struct RigGeometry {
   std::array<double, kCameraCount> focusMm{};  ///< distance along the optical axis that is in focus
 };
 
+inline constexpr double kFNumber = 8;  ///< the lenses' opening
+
 /// The light planes are z = 0 exactly, so the calibration is exact.
 [[nodiscard]] RigGeometry drawRig(std::uint64_t rigSeed);
 

@@ -17,12 +17,13 @@ std::string errorOf(TomlReader& reader) {
 }
 
 TEST(TomlReader, ReadsEveryKindOfValue) {
-  TomlReader r = read("a = 1.5\nb = 2\nc = true\nd = 'x'\ne = [1, 2.5]\n[t.u]\nv = 7\n[[s]]\nw = 1\n[[s]]\nw = 2\n");
+  TomlReader r = read("a = 1.5\nb = 2\nc = true\nd = 'x'\ne = [1, 2.5]\nf = ['p', 'q']\n[t.u]\nv = 7\n[[s]]\nw = 1\n[[s]]\nw = 2\n");
   EXPECT_EQ(r.number("a", 0, 2), 1.5);
   EXPECT_EQ(r.number("b", 0, 2), 2.0) << "a whole number is a number";
   EXPECT_TRUE(r.boolean("c"));
   EXPECT_EQ(r.text("d"), "x");
   EXPECT_EQ(r.numbers("e", 2), (std::vector<double>{1, 2.5}));
+  EXPECT_EQ(r.texts("f"), (std::vector<std::string>{"p", "q"}));
   EXPECT_EQ(r.integer("t.u.v", 0, 9), 7);
   EXPECT_EQ(r.keys("t"), std::vector<std::string>{"u"});
   ASSERT_EQ(r.size("s"), 2U);
