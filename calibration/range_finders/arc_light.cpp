@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kStepPx = 0.45;  // between samples: for smoothing by 1.5 px and more the sum is the integral
 constexpr double kReachSigmas2 = 36;
-constexpr int kNewtonSteps = 4;
-constexpr double kLongestStepPx = 1;
+constexpr double kFarthestPx = 3;  // from the middle of a pixel to the ridge: beyond, it is another's
 
 Point2 pixel(const RangeFinderCalibration& finder, const Lens<double>& camera, const Point2& world, double z) {
   return project<double>(camera, finder.cameraFromWorld.rotation, finder.cameraFromWorld.translationMm,
@@ -22,12 +21,6 @@ Point2 pixel(const RangeFinderCalibration& finder, const Lens<double>& camera, c
 }
 
 }  // namespace
-
-struct ArcLight::LogLight {
-  double value = 0;
-  Point2 gradient{0, 0};
-  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
-};
 
 double pinLight(const ArcScene& scene, double angleRad) {
   const Point2 normal(std::cos(angleRad), std::sin(angleRad));
@@ -69,51 +62,52 @@ double ArcLight::smoothingPx(const Point2& direction) const {
   return std::sqrt(direction.dot(covariance_ * direction));
 }
 
-ArcLight::LogLight ArcLight::at(const Point2& px) const {
-  double sum = 0, gx = 0, gy = 0, hxx = 0, hxy = 0, hyy = 0;
+std::array<double, 9> ArcLight::smoothedAround(double column, double row) const {
   const double a = inverse_(0, 0), b = inverse_(0, 1), c = inverse_(1, 1);
+  // exp(-(d + o)' Q (d + o) / 2) for steps o of one pixel: the middle's, times what each step adds.
+  const double stepX = std::exp(-a / 2), stepY = std::exp(-c / 2), same = std::exp(-b), opposite = 1 / same;
+  std::array<double, 9> sums{};
   for (const Sample& s : samples_) {
-    const double dx = px.x() - s.px.x(), dy = px.y() - s.px.y();
+    const double dx = column - s.px.x(), dy = row - s.px.y();
     const double qx = a * dx + b * dy, qy = b * dx + c * dy, square = dx * qx + dy * qy;
     if (square > kReachSigmas2) continue;
     const double light = s.light * std::exp(-0.5 * square);
-    sum += light;
-    gx -= light * qx;
-    gy -= light * qy;
-    hxx += light * (qx * qx - a);
-    hxy += light * (qx * qy - b);
-    hyy += light * (qy * qy - c);
+    const double perX = std::exp(qx), perY = std::exp(qy);
+    const double right = stepX / perX, left = stepX * perX, below = stepY / perY, above = stepY * perY;
+    sums[0] += light * left * above * same;
+    sums[1] += light * above;
+    sums[2] += light * right * above * opposite;
+    sums[3] += light * left;
+    sums[4] += light;
+    sums[5] += light * right;
+    sums[6] += light * left * below * opposite;
+    sums[7] += light * below;
+    sums[8] += light * right * below * same;
   }
-  LogLight log;
-  log.value = sum;
-  if (!(sum > 0)) return log;
-  log.gradient = Point2(gx, gy) / sum;
-  log.hessian << hxx, hxy, hxy, hyy;
-  log.hessian = log.hessian / sum - log.gradient * log.gradient.transpose();
-  return log;
+  return sums;
 }
 
-ArcLight::Ridge ArcLight::ridgeBeside(const Point2& px) const {
+// The logarithmic parabola of the extraction (engine/stripe: line_kernels.cpp): the smoothed line is
+// L exp(a u - w^2 / 2 v), u along it, w across.
+ArcLight::Ridge ArcLight::ridgeBeside(const Point2& px, const Point2& normal) const {
   Ridge ridge;
-  ridge.px = px;
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const LogLight log = at(ridge.px);
-    if (!(log.value > 0)) return ridge;
-    const double mean = (log.hessian(0, 0) + log.hessian(1, 1)) / 2, half = (log.hessian(0, 0) - log.hessian(1, 1)) / 2;
-    const double mixed = log.hessian(0, 1), root = std::hypot(half, mixed);
-    const double curvature = mean - root;  // across the line
-    if (!(curvature < 0)) return ridge;
-    ridge.normal = half > 0 ? Point2(-mixed, half + root) : Point2(root - half, -mixed);
-    if (!(ridge.normal.squaredNorm() > 0)) return ridge;
-    ridge.normal.normalize();
-    ridge.variancePx2 = -1 / curvature;
-    ridge.logLight = std::log(log.value);
-    const double offset = -log.gradient.dot(ridge.normal) / curvature;
-    if (!(std::abs(offset) < kLongestStepPx * 4)) return ridge;
-    ridge.px += std::clamp(offset, -kLongestStepPx, kLongestStepPx) * ridge.normal;
-    if (std::abs(offset) < 1e-5) break;
-  }
-  ridge.found = true;
+  const double column = std::round(px.x()), row = std::round(px.y());
+  const std::array<double, 9> s = smoothedAround(column, row);
+  if (!(s[4] > 0)) return ridge;
+  const double dx = (s[5] - s[3]) / (2 * s[4]), dy = (s[7] - s[1]) / (2 * s[4]);
+  const double dxx = (s[5] + s[3]) / s[4] - 2, dyy = (s[7] + s[1]) / s[4] - 2;
+  const double dxy = (s[8] - s[6] - s[2] + s[0]) / (4 * s[4]);
+  const double nx = normal.x(), ny = normal.y(), across = dx * nx + dy * ny;
+  const double logCurved = across * across - (dxx * nx * nx + 2 * dxy * nx * ny + dyy * ny * ny);
+  if (!(logCurved > 0)) return ridge;
+  // Differences instead of derivatives: the variance comes out too large by (1 + p) / 4, the offset short by
+  // (1 - 5 p) / (4 v).
+  const double slanted = nx * nx * ny * ny;
+  ridge.variancePx2 = 1 / logCurved - 0.25 * (1 + slanted);
+  const double offset = across / logCurved * (1 + 0.25 * (1 - 5 * slanted) / std::max(ridge.variancePx2, 0.5));
+  ridge.px = Point2(column, row) + offset * normal;
+  ridge.logLight = std::log(s[4]);
+  ridge.found = std::abs(offset) < kFarthestPx;
   return ridge;
 }
 

@@ -3,6 +3,7 @@
 // filter, lens and the thickness of the sheet smooth the light over a tight bend, whose brightness changes along it.
 // Predicted from the circle, the camera and the light; what remains of the pull on rendered pictures is below 2 %.
 
+#include <array>
 #include <vector>
 
 #include "engine/optics/calibration.h"
@@ -28,13 +29,13 @@ class ArcLight {
   struct Ridge {
     bool found = false;
     Point2 px{0, 0};
-    Point2 normal{0, 1};
-    double variancePx2 = 0;  ///< across the line
-    double logLight = 0;
+    double variancePx2 = 0;  ///< of the smoothed light across the line
+    double logLight = 0;     ///< of the smoothed light of the pixel
   };
-  /// The point of the ridge (zero of the derivative of the light's logarithm across the line) beside `px`, which is the
-  /// way in which the extraction defines its points.
-  [[nodiscard]] Ridge ridgeBeside(const Point2& px) const;
+  /// The point that the extraction makes of the pixel in which `px` lies, along the normal that it found there (near
+  /// the ends of a line that is not the picture's own but the one the line comes from): from the smoothed light of the
+  /// 3 x 3 pixels around, by the same differences.
+  [[nodiscard]] Ridge ridgeBeside(const Point2& px, const Point2& normal) const;
   /// How far a step of 1 mm out of the plane, towards the camera, moves the light in the picture: px.
   [[nodiscard]] const Point2& pxPerMmOffPlane() const { return offPlane_; }
   /// Standard deviation of the smoothing along a direction of the picture (unit).
@@ -45,8 +46,8 @@ class ArcLight {
     Point2 px;
     double light;
   };
-  struct LogLight;
-  [[nodiscard]] LogLight at(const Point2& px) const;
+  /// Of the pixels around (column, row), row by row.
+  [[nodiscard]] std::array<double, 9> smoothedAround(double column, double row) const;
   std::vector<Sample> samples_;
   Eigen::Matrix2d covariance_, inverse_;
   Point2 offPlane_{0, 0};

@@ -107,7 +107,7 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
     arc.sigmaPx[i] = points[i].sigmaPx * clipped;
     arc.widthMisfit[i] = std::nan("");
     if (arc.arcPx[i] < atFirst || length - arc.arcPx[i] < atLast) continue;
-    const ArcLight::Ridge ridge = shone.ridgeBeside(points[i].px);
+    const ArcLight::Ridge ridge = shone.ridgeBeside(points[i].px, points[i].normal);
     if (!ridge.found) continue;
     const PlanePoint p = map(ridge.px.x(), ridge.px.y());
     arc.pullMm[i] = (Point2(p.x, p.y) - scene.centreMm).norm() - scene.radiusMm;

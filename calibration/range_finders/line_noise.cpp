@@ -1,6 +1,7 @@
 #include "calibration/range_finders/line_noise.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
