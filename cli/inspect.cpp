@@ -104,7 +104,8 @@ class Collector {
   Collector(const Recipe& recipe, const RigCalibration& calibration, std::string calibrationWarning,
             std::shared_ptr<const VirtualRig> rig, std::optional<AtomicFile> csv, Progress& progress,
             double profilesExpected)
-      : recipe_(recipe),
+      : drift(recipe.section),
+        recipe_(recipe),
         calibration_(calibration),
         calibrationWarning_(std::move(calibrationWarning)),
         rig_(std::move(rig)),
@@ -136,6 +137,8 @@ class Collector {
   CameraHealth cameras;
   std::string error, whyNotRegistered;
   Clock::time_point endedAt;
+  DriftWatch drift;
+  std::optional<std::uint64_t> firstDriftRail;
 
   Expected<void> closeCsv() { return csv_ ? csv_->commit() : Expected<void>{}; }
 
@@ -151,6 +154,7 @@ class Collector {
     ++profiles;
     summariser_->add(result);
     cameras.add(result.profile);
+    drift.add(result.profile, result.registration);
     if (csv_) csv_->write(csvRow(result, profileOfRail_));
     ++profileOfRail_;
     if (result.registration.valid) {
@@ -169,6 +173,7 @@ class Collector {
   void end(const TriggerLedger& ledger) {
     rails.push_back({summariser_->summary(ledger), recipe_.section.name});
     rails.back().summary.calibrationWarning = calibrationWarning_;
+    if (drift.endRail().alarm() && !firstDriftRail) firstDriftRail = rails.size();
     examples.push_back(std::move(example_));
     example_.reset();
   }
@@ -241,6 +246,8 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
                  ErrorKind::World});
   }
   for (const Error& warning : collected.cameras.overexposed()) fail(warning);
+  for (const CameraDrift& c : collected.drift.indicators().cameras)
+    if (c.alarm) fail({"drift", c.words});
   int code = kDone;
   for (const InspectedRail& rail : outcome.rails) {
     const Verdict verdict = rail.summary.verdict;  // what passed without being measured is no pass
@@ -332,6 +339,8 @@ int inspect(const Options& o) {
   outcome.profiles = collected.profiles;
   outcome.calibration = calibration;
   outcome.calibrationAge = age;
+  outcome.drift = collected.drift.indicators();
+  outcome.firstDriftRail = collected.firstDriftRail;
   outcome.effects = list((*rig)->settings().effects);
   outcome.accuracy = &collected.accuracy;
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());

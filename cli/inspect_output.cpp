@@ -108,6 +108,28 @@ Json toJson(const RigCalibration& c, const CalibrationAge& age) {
           {"plate", c.plate.empty() ? Json(nullptr) : Json(c.plate)}};
 }
 
+Json toJson(const DriftIndicators& drift, const std::optional<std::uint64_t>& firstRail) {
+  Json cameras = Json::array();
+  for (const CameraDrift& c : drift.cameras) {
+    const auto known = [&](double value) { return drift.learning ? Json(nullptr) : Json(value); };
+    cameras.push_back({{"camera", c.camera + 1},
+                       {"value_mm", known(c.valueMm)},
+                       {"u_mm", known(c.uMm)},
+                       {"limit_mm", known(c.limitMm)},
+                       {"x_mm", known(c.xMm)},
+                       {"y_mm", known(c.yMm)},
+                       {"turn_deg", known(c.turnDeg)},
+                       {"alarm", c.alarm},
+                       {"words", c.words}});
+  }
+  return {{"rails", drift.rails},
+          {"learning", drift.learning},
+          {"alarm", drift.alarm()},
+          {"first_alarm_rail", firstRail ? Json(*firstRail) : Json(nullptr)},
+          {"unexplained_chi2", drift.learning ? Json(nullptr) : Json(drift.unexplained)},
+          {"cameras", cameras}};
+}
+
 double rateOf(const InspectionOutcome& outcome) {
   return outcome.wallS > 0 ? static_cast<double>(outcome.profiles) / outcome.wallS : 0;
 }
@@ -192,6 +214,7 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   json["profiles_per_s"] = rateOf(outcome);
   json["wall_s"] = outcome.wallS;
   json["calibration"] = toJson(outcome.calibration, outcome.calibrationAge);
+  json["drift"] = toJson(outcome.drift, outcome.firstDriftRail);
   json["effects"] = Json::object();
   for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
   if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
@@ -227,6 +250,8 @@ std::string toTable(const InspectionOutcome& outcome) {
                  static_cast<unsigned long long>(t.incomplete), static_cast<unsigned long long>(t.lost));
   for (const auto& [reason, count] : t.reasons)
     text += format("  %8llu  %s\n", static_cast<unsigned long long>(count), reason.c_str());
+  for (const CameraDrift& c : outcome.drift.cameras)
+    if (c.alarm) text += "Drift: " + c.words + "\n";
   text += format("%.1f profiles/s, %.2f s, calibration %s (%s)\n", rateOf(outcome), outcome.wallS,
                  outcome.calibration.id.c_str(), outcome.calibration.method.c_str());
   return text;

@@ -2,10 +2,12 @@
 // What `vignole-cli inspect` tells: a table for people, JSON and CSV for programs (commands.md is the contract).
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "calibration/drift/drift_watch.h"
 #include "cli/accuracy.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
@@ -27,6 +29,8 @@ struct InspectionOutcome {
   double wallS = 0;
   RigCalibration calibration;
   CalibrationAge calibrationAge;
+  DriftIndicators drift;
+  std::optional<std::uint64_t> firstDriftRail;  ///< the rail, from 1, after which a camera was first said to have moved
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
 };
