@@ -9,6 +9,7 @@
 #include "calibration/intrinsics/intrinsics_verdict.h"
 #include "calibration/intrinsics/model_choice.h"
 #include "calibration/intrinsics/robust_fit.h"
+#include "calibration/intrinsics/target_decision.h"
 #include "calibration/intrinsics/target_errors.h"
 #include "calibration/intrinsics/view_selection.h"
 #include "calibration/parallel_for.h"
@@ -98,54 +99,43 @@ class Calibrating {
     return all;
   }
 
-  [[nodiscard]] CrossValidationSettings validation(double pointSigmaMm) const {
-    return {settings_.folds, pointSigmaMm, settings_.standardErrors};
-  }
+  [[nodiscard]] CrossValidationSettings validation() const { return {settings_.folds, prior_, settings_.confidence}; }
 
   void takeObservations() {
     used_ = selected(corrected_, robust_.selection);
     weigh(used_, robust_.unexplainedPx);
   }
 
-  /// Stated uncertainties of the target's points are taken at their word; otherwise they are estimated where the views
-  /// agree that points are out of place and pictures not seen confirm it.
   Expected<void> decideTargetErrors(double statedMm) {
+    job_.report(0.15, "is the target as stated?");
     takeObservations();
-    pointSigmaMm_ = statedMm;
-    if (statedMm <= 0) {
-      const double suspected = targetErrorMm(used_, robust_.fit);
-      if (suspected <= 0) return {};
-      job_.report(0.15, "is the target as stated?");
+    auto prior = decideTarget(used_, fullest(), robust_.fit, statedMm, validation(), job_);
+    if (!prior) return tl::unexpected<Error>(prior.error());
+    prior_ = *prior;
+    if (prior_.free()) {
       AdjustmentSettings free;
-      free.pointSigmaMm = suspected;
-      const std::vector<LensVariant> variant = {fullest()};
-      const std::vector<TargetFit> fixedFit = {robust_.fit}, freeFit = {adjust(used_, fullest(), robust_.fit, free)};
-      const auto asStated = crossValidate(used_, variant, fixedFit, validation(0), job_);
-      if (!asStated) return tl::unexpected<Error>(asStated.error());
-      const auto estimated = crossValidate(used_, variant, freeFit, validation(suspected), job_);
-      if (!estimated) return tl::unexpected<Error>(estimated.error());
-      const PairedDifference gain = difference(asStated->front(), estimated->front());
-      if (!(gain.mean > settings_.standardErrors * gain.standardError)) return {};
-      pointSigmaMm_ = suspected;
+      free.target = prior_;
+      refine(corrected_, fullest(), free, settings_.outliers, robust_);
+      takeObservations();
     }
-    AdjustmentSettings free;
-    free.pointSigmaMm = pointSigmaMm_;
-    refine(corrected_, fullest(), free, settings_.outliers, robust_);
-    takeObservations();
+    // Errors that the finder does not know of are hardly those of single points.
+    constexpr double kExplained = 2;
+    const double perPoint = chi2OfFinder(robust_.fit) / degreesOfFreedom(fullest(), robust_.fit);
+    pointErrors_ = perPoint < kExplained ? PointErrors::Independent : PointErrors::Shared;
     return {};
   }
 
   Expected<std::vector<Candidate>> tried(const std::vector<LensVariant>& variants) {
     std::vector<TargetFit> fits(variants.size());
     AdjustmentSettings adjustment;
-    adjustment.pointSigmaMm = pointSigmaMm_;
+    adjustment.target = prior_;
     parallelFor(variants.size(), [&](std::size_t i) {
       TargetFit start = robust_.fit;
       start.intrinsics = asVariant(start.intrinsics, variants[i]);
       if (!variants[i].aspect) start.intrinsics.pixelHeightMm = taken_.like.pixelHeightMm;
       fits[i] = adjust(used_, variants[i], start, adjustment);
     });
-    auto heldOut = crossValidate(used_, variants, fits, validation(pointSigmaMm_), job_);
+    auto heldOut = crossValidate(used_, variants, fits, validation(), job_);
     if (!heldOut) return tl::unexpected<Error>(heldOut.error());
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -168,7 +158,7 @@ class Calibrating {
       variants.push_back(c.variant);
       heldOut.push_back(c.heldOut);
     }
-    return among[chooseSimplest(variants, heldOut, settings_.standardErrors)];
+    return among[chooseSimplest(variants, heldOut, pointErrors_, settings_.confidence)];
   }
 
   /// Distortion first, with the pixels' height free; then for the best of each family whether it has to be.
@@ -204,20 +194,21 @@ class Calibrating {
     return {};
   }
 
-  [[nodiscard]] double degreesOfFreedom() const {
-    double freedom = -static_cast<double>(freeParameters(result_.variant).size());
+  [[nodiscard]] double degreesOfFreedom(const LensVariant& variant, const TargetFit& fit) const {
+    double freedom = -static_cast<double>(freeParameters(variant).size());
     for (const ObservedView& view : used_.views)
       if (!view.empty()) freedom += 2 * static_cast<double>(view.size()) - 6;
-    return std::max(1.0, freedom - effectiveParameters(used_, fit_, pointSigmaMm_));
+    return std::max(1.0, freedom - effectiveParameters(used_, fit, prior_));
   }
 
   /// The last adjustment, each point weighed by what the residuals say of it; covariance, figures, verdict.
   void finish() {
     job_.report(0.9, "uncertainty");
     AdjustmentSettings adjustment;
-    adjustment.pointSigmaMm = pointSigmaMm_;
-    result_.chi2PerDof = chi2OfFinder() / degreesOfFreedom();
-    result_.unexplainedPx = unexplainedNoise(used_, residuals(used_, fit_), degreesOfFreedom());
+    adjustment.target = prior_;
+    const double freedom = degreesOfFreedom(result_.variant, fit_);
+    result_.chi2PerDof = chi2OfFinder(fit_) / freedom;
+    result_.unexplainedPx = unexplainedNoise(used_, residuals(used_, fit_), freedom);
     weigh(used_, result_.unexplainedPx);
     fit_ = adjust(used_, result_.variant, fit_, adjustment);
     if (!fit_.converged)
@@ -226,23 +217,21 @@ class Calibrating {
 
     CalibratedIntrinsics& camera = result_.camera;
     camera.intrinsics = fit_.intrinsics;
-    camera.covariance = informationOf(used_, result_.variant, fit_, pointSigmaMm_).covariance();
+    camera.covariance = informationOf(used_, result_.variant, fit_, prior_).covariance();
     for (int i = 0; i < kIntrinsicParameters; ++i)
       for (int j = 0; j < kIntrinsicParameters; ++j)
         if (const double scale = std::sqrt(camera.covariance(i, i) * camera.covariance(j, j)); scale > 0)
           result_.correlation(i, j) = camera.covariance(i, j) / scale;
     reportTarget();
     reportViews(fit_);
-    if (settings_.openCvReference)
-      result_.openCv =
-          openCvReference(selected(taken_.observations, robust_.selection), fit_.points, result_.variant, taken_.like);
+    askOpenCv();
     judgeCalibration(tiltDifferenceDeg(fit_, robust_.selection), settings_, result_);
     job_.report(1, "done");
   }
 
-  [[nodiscard]] double chi2OfFinder() const {
+  [[nodiscard]] double chi2OfFinder(const TargetFit& fit) const {
     double chi2 = 0;
-    const auto errors = residuals(used_, fit_);
+    const auto errors = residuals(used_, fit);
     for (std::size_t v = 0; v < errors.size(); ++v)
       for (std::size_t i = 0; i < errors[v].size(); ++i)
         if (const double u = used_.views[v][i].uPx; u > 0) chi2 += errors[v][i].squaredNorm() / (u * u);
@@ -250,10 +239,21 @@ class Calibrating {
   }
 
   void reportTarget() {
-    if (pointSigmaMm_ <= 0) return;
-    result_.targetErrorMm = pointSigmaMm_;
-    for (std::size_t i = 0; i < fit_.points.size(); ++i)
+    if (!prior_.free()) return;
+    result_.targetErrorMm = prior_.inPlaneMm;
+    result_.targetBendMm = prior_.outOfPlaneMm;
+    for (std::size_t i = 0; i < fit_.points.size(); ++i) {
       result_.targetCorrectionsMm.emplace_back((fit_.points[i] - taken_.observations.points[i]).head<2>());
+      if (prior_.outOfPlaneMm > 0) result_.targetHeightsMm.push_back(fit_.points[i].z());
+    }
+  }
+
+  void askOpenCv() {
+    if (!settings_.openCvReference) return;
+    const TargetObservations found = selected(taken_.observations, robust_.selection);
+    result_.openCv = openCvReference(found, fit_.points, result_.variant, taken_.like);
+    if (prior_.free())
+      result_.openCvTargetAsStated = openCvReference(found, found.points, result_.variant, taken_.like);
   }
 
   void reportViews(const TargetFit& fit) {
@@ -294,7 +294,8 @@ class Calibrating {
   TargetObservations used_;       ///< of those what counts, with weights
   RobustFit robust_;
   TargetFit fit_;
-  double pointSigmaMm_ = 0;
+  TargetPrior prior_;
+  PointErrors pointErrors_ = PointErrors::Independent;
 };
 
 }  // namespace
