@@ -20,16 +20,20 @@
 #include "cli/console.h"
 #include "cli/interruption.h"
 #include "cli/intrinsics_output.h"
+#include "cli/report_files.h"
 #include "engine/acquisition/picture_file.h"
 #include "engine/measurement/measurement.h"
 #include "engine/rail/catalogue.h"
+#ifdef VIGNOLE_REPORT
+#include "report/intrinsics_report.h"
+#endif
 
 namespace vignole::cli {
 namespace {
 
 struct Options {
   std::vector<std::string> images, exports;
-  std::string target, model = "auto", out, json, serial, rail = "60E1";
+  std::string target, model = "auto", out, report, json, serial, rail = "60E1";
   double pixelUm = 7.4, toleranceUm = 0, focalMm = 0;
   bool lightDots = false, quiet = false;
 };
@@ -53,6 +57,7 @@ Expected<PlanarTarget> targetOf(const Options& options) {
 /// What was seen in the pictures, and what could not be read.
 struct SeenPictures {
   std::vector<TargetView> views;
+  std::vector<Picture> pictures;  ///< as the views; kept for a report only
   std::vector<Error> errors;
 };
 
@@ -60,6 +65,7 @@ struct SeenPictures {
 SeenPictures findInAll(const Options& options, const PlanarTarget& target, Progress& progress) {
   const std::size_t count = options.images.size();
   std::vector<std::optional<TargetView>> views(count);
+  std::vector<Picture> pictures(count);
   std::vector<std::optional<Error>> errors(count);
   std::mutex decoding, telling;
   std::size_t done = 0;
@@ -71,6 +77,7 @@ SeenPictures findInAll(const Options& options, const PlanarTarget& target, Progr
     if (picture) {
       views[i] = findTarget(picture->view(), target);
       views[i]->file = options.images[i];
+      if (!options.report.empty()) pictures[i] = std::move(*picture);
     } else {
       errors[i] = picture.error();
     }
@@ -79,7 +86,10 @@ SeenPictures findInAll(const Options& options, const PlanarTarget& target, Progr
   });
   SeenPictures seen;
   for (std::size_t i = 0; i < count; ++i) {
-    if (views[i]) seen.views.push_back(std::move(*views[i]));
+    if (views[i]) {
+      seen.views.push_back(std::move(*views[i]));
+      seen.pictures.push_back(std::move(pictures[i]));
+    }
     if (errors[i]) seen.errors.push_back(std::move(*errors[i]));
   }
   return seen;
@@ -125,7 +135,23 @@ Expected<void> checkNames(const Options& options) {
   return {};
 }
 
+#ifdef VIGNOLE_REPORT
+Expected<void> report(const IntrinsicsCalibration& calibration, const PlanarTarget& target, const SeenPictures& seen,
+                      const std::optional<NextPose>& next, const std::string& file) {
+  IntrinsicsReport content{&calibration, &target, {}, next ? next->words : std::string()};
+  for (const Picture& picture : seen.pictures) content.pictures.push_back(&picture);
+  return writeDocumentReport(intrinsicsDocument(content), file);
+}
+#else
+Expected<void> report(const IntrinsicsCalibration&, const PlanarTarget&, const SeenPictures&,
+                      const std::optional<NextPose>&, const std::string& file) {
+  return writeDocumentReport({}, file);
+}
+#endif
+
 int run(const Options& options) {
+  if (!options.report.empty())
+    if (const auto possible = checkDocumentFile(options.report); !possible) return fail(possible.error());
   const auto target = targetOf(options);
   if (!target) return fail(target.error());
   if (const auto named = checkNames(options); !named) return fail(named.error());
@@ -158,6 +184,8 @@ int run(const Options& options) {
     code = kVerdictFail;
   }
   const std::optional<NextPose> next = adviceFor(*calibration, *target, *section);
+  if (!options.report.empty())
+    if (const auto done = report(*calibration, *target, seen, next, options.report); !done) return fail(done.error());
   if (!options.json.empty())
     if (const auto done = writeJson(options.json, toJson(*calibration, next, exported)); !done)
       return fail(done.error());
@@ -207,6 +235,7 @@ void addCalibrateIntrinsics(CLI::App& calibrate, int& exitCode) {
   command->add_option("--rail", options->rail, "section whose dimensions the next pose is chosen for (default 60E1)");
   command->add_option("--out", options->out, "FILE.toml; .yaml OpenCV, .dat HALCON, .cameramodel mrcal");
   command->add_option("--export", options->exports, "one more file, by its end as --out (repeatable)");
+  command->add_option("--report", options->report, "FILE.pdf: verdict, Table III, parameters, coverage, views");
   command->add_option("--json", options->json, "JSON to a file, or - for stdout");
   command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([options, &exitCode] { exitCode = run(*options); });

@@ -31,9 +31,8 @@ class EdgeModel {
     const double gx = p_[kL1] * u / radius, gy = (p_[kL2] * u + p_[kL3] * v) / radius;
     const double perPx = std::max(std::sqrt(gx * gx + gy * gy), 1e-9);
     const double distance = (radius - 1) / perPx;
-    const double z = distance / blur_.px();
-    const double inside = 0.5 * std::erfc(z * std::numbers::sqrt2 / 2);
-    const double density = std::exp(-0.5 * z * z) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2) / blur_.px();
+    const NormalStep step = normalStep(-distance / blur_.px());
+    const double inside = step.value, density = step.density / blur_.px();
     const double light = 1 + p_[kSlopeX] * x + p_[kSlopeY] * y;
     const double grey = p_[kOutside] + p_[kContrast] * inside;
     // Outwards by one pixel the inside loses `density`; that the gradient itself changes matters only off the edge.
@@ -170,6 +169,7 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
     if (settled) break;
   }
   result.contrastDn = p[kContrast];
+  result.groundDn = p[kOutside];
   result.noiseDn = fit.noiseDn;
   result.rmsDn = fit.rmsDn;
   result.uPx = std::sqrt(0.5 * (fit.covariance(kX, kX) + fit.covariance(kY, kY)));

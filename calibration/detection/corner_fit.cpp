@@ -55,8 +55,8 @@ class CrossingModel {
     double slope = 0;     // of it, by the distance
   };
   [[nodiscard]] Side across(double distance) const {
-    const double z = distance / (blur_.px() * std::numbers::sqrt2);
-    return {distance, std::erf(z), std::exp(-z * z) * std::numbers::sqrt2 * std::numbers::inv_sqrtpi / blur_.px()};
+    const NormalStep step = normalStep(distance / blur_.px());
+    return {distance, 2 * step.value - 1, 2 * step.density / blur_.px()};
   }
 
   Vector p_;
@@ -175,6 +175,7 @@ std::optional<CornerFit> fitCorner(const ImageView& image, const Corner& start, 
   result.corner.angle2 = p[kAngle2];
   result.corner.brightBetween = p[kHalf] > 0;
   result.contrastDn = 2 * std::abs(p[kHalf]);
+  result.groundDn = p[kMean];
   result.noiseDn = fit.noiseDn;
   result.rmsDn = fit.rmsDn;
   result.uPx = std::sqrt(0.5 * (fit.covariance(kX, kX) + fit.covariance(kY, kY)));

@@ -103,6 +103,7 @@ class Corners : public PatternPoints {
     point.uPx = fit->uPx;
     point.blurPx = fit->blurPx;
     point.contrastDn = fit->contrastDn;
+    point.groundDn = fit->groundDn;
     point.noiseDn = fit->noiseDn;
     point.rmsDn = fit->rmsDn;
     point.saturatedShare = fit->saturatedShare;

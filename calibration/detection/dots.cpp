@@ -96,6 +96,7 @@ class Dots : public PatternPoints {
     point.uPx = fit->uPx;
     point.blurPx = fit->blurPx;
     point.contrastDn = fit->contrastDn;
+    point.groundDn = fit->groundDn;
     point.noiseDn = fit->noiseDn;
     point.rmsDn = fit->rmsDn;
     point.saturatedShare = fit->saturatedShare;
