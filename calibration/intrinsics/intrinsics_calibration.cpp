@@ -186,11 +186,9 @@ class Calibrating {
       best[i] = *simplest({(*squares)[i], best[i]});
       if (!settings_.model || *settings_.model == best[i].variant.model) choice.push_back(best[i]);
     }
-    result_.division = described(best[0]);
-    result_.polynomial = described(best[1]);
-    const Candidate chosen = *simplest(choice);
-    result_.variant = chosen.variant;
-    fit_ = chosen.fit;
+    result_.variant = simplest(choice)->variant;
+    settle(best[0], result_.division);
+    settle(best[1], result_.polynomial);
     return {};
   }
 
@@ -201,23 +199,36 @@ class Calibrating {
     return std::max(1.0, freedom - effectiveParameters(used_, fit, prior_));
   }
 
-  /// The last adjustment, each point weighed by what the residuals say of it; covariance, figures, verdict.
-  void finish() {
-    job_.report(0.9, "uncertainty");
+  /// The last adjustment of the best of a family: each point weighed by what the residuals of this model say of it.
+  void settle(Candidate& candidate, std::optional<VariantResult>& result) {
     AdjustmentSettings adjustment;
     adjustment.target = prior_;
-    const double freedom = degreesOfFreedom(result_.variant, fit_);
-    result_.chi2PerDof = chi2OfFinder(fit_) / freedom;
-    result_.unexplainedPx = unexplainedNoise(used_, residuals(used_, fit_), freedom);
-    weigh(used_, result_.unexplainedPx);
-    fit_ = adjust(used_, result_.variant, fit_, adjustment);
+    const double freedom = degreesOfFreedom(candidate.variant, candidate.fit);
+    const double chi2PerDof = chi2OfFinder(candidate.fit) / freedom;
+    const double unexplainedPx = unexplainedNoise(used_, residuals(used_, candidate.fit), freedom);
+    TargetObservations weighed = used_;
+    weigh(weighed, unexplainedPx);
+    candidate.fit = adjust(weighed, candidate.variant, candidate.fit, adjustment);
+    result = described(candidate);
+    for (VariantResult& v : result_.variants)
+      if (v.variant == candidate.variant) v = *result;
+    if (candidate.variant != result_.variant) return;
+    result_.chi2PerDof = chi2PerDof;
+    result_.unexplainedPx = unexplainedPx;
+    chosen_ = std::move(weighed);
+    fit_ = candidate.fit;
+  }
+
+  /// Covariance, figures, verdict of the chosen one.
+  void finish() {
+    job_.report(0.9, "uncertainty");
     if (!fit_.converged)
       result_.refusals.emplace_back(
           "refused, because the adjustment does not come to rest; take more pictures, and check the target's size");
 
     CalibratedIntrinsics& camera = result_.camera;
     camera.intrinsics = fit_.intrinsics;
-    camera.covariance = informationOf(used_, result_.variant, fit_, prior_).covariance();
+    camera.covariance = informationOf(chosen_, result_.variant, fit_, prior_).covariance();
     for (int i = 0; i < kIntrinsicParameters; ++i)
       for (int j = 0; j < kIntrinsicParameters; ++j)
         if (const double scale = std::sqrt(camera.covariance(i, i) * camera.covariance(j, j)); scale > 0)
@@ -291,7 +302,8 @@ class Calibrating {
   IntrinsicsCalibration result_;
   TakenViews taken_;
   TargetObservations corrected_;  ///< all, as if distortion shifted no centre of a circle
-  TargetObservations used_;       ///< of those what counts, with weights
+  TargetObservations used_;       ///< of those what counts, weighed for the choice
+  TargetObservations chosen_;     ///< the same, weighed for the chosen model
   RobustFit robust_;
   TargetFit fit_;
   TargetPrior prior_;

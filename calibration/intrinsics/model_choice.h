@@ -11,7 +11,7 @@ namespace vignole {
 struct CrossValidationSettings {
   int folds = 6;  ///< of views; as many as views if there are fewer
   TargetPrior target;
-  double standardErrors = 1;  ///< a simpler model is taken when it is worse by no more than so many
+  double confidence = 0.995;  ///< with which a simpler model must be the worse one, to be left
 };
 
 /// One variant before pictures that its adjustment was not given: half of the points of such a picture fit its pose,
