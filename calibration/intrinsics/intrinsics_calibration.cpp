@@ -11,6 +11,7 @@
 #include "calibration/intrinsics/robust_fit.h"
 #include "calibration/intrinsics/target_decision.h"
 #include "calibration/intrinsics/target_errors.h"
+#include "calibration/intrinsics/target_turns.h"
 #include "calibration/intrinsics/view_selection.h"
 #include "calibration/parallel_for.h"
 
@@ -73,6 +74,7 @@ class Calibrating {
       reportViews(robust_.fit);
       return {};
     }
+    if (target.pattern != TargetPattern::DotPlate) countPointsAlike();  // that one has a mark
     if (auto done = decideTargetErrors(target.uMm); !done) return done;
     if (auto done = chooseModel(); !done) return done;
     finish();
@@ -104,6 +106,19 @@ class Calibrating {
   void takeObservations() {
     used_ = selected(corrected_, robust_.selection);
     weigh(used_, robust_.unexplainedPx);
+  }
+
+  void countPointsAlike() {
+    takeObservations();
+    const std::vector<TargetTurn> turns = turnsOf(used_.points);
+    const std::vector<int> turned = turnedViews(used_, robust_.fit, turns);
+    for (std::size_t v = 0; v < turned.size(); ++v) {
+      if (turned[v] < 0) continue;
+      const TargetTurn& by = turns[static_cast<std::size_t>(turned[v])];
+      turn(by, taken_.observations.views[v]);
+      turn(by, corrected_.views[v]);
+      turn(by, robust_.fit.cameraFromTarget[v]);
+    }
   }
 
   Expected<void> decideTargetErrors(double statedMm) {
