@@ -185,16 +185,18 @@ int run(const Options& options) {
 }
 
 constexpr const char* kFooter =
-    "Columns and rows are inner corners of a chessboard, circles of a grid. The lens model is the simplest that "
-    "predicts\n"
-    "pictures it has not seen as well as the best does, within two standard errors: division (kappa) or polynomial "
-    "with\n"
-    "k1, k1 k2, k1 k2 k3, k1 k2 p1 p2, k1 k2 k3 p1 p2, pixels as high as wide unless the pictures say otherwise.\n"
-    "Its numbers run from distorted to undistorted, on the sensor in mm: kappa and k1 in 1/mm^2, k2 in 1/mm^4, k3 in\n"
-    "1/mm^6, p1 and p2 in 1/mm (those of HALCON). \"opencv\" in the JSON is the same lens in OpenCV's terms.\n"
-    "Errors are of all points used: RMS and mean of their distances. A calibration that is refused is not written; "
-    "exit\n"
-    "code 1.\n\n"
+    "Columns and rows are inner corners of a chessboard, circles of a grid.\n\n"
+    "The lens model is the simplest that predicts pictures it has not seen no worse than the best does (Student's t,\n"
+    "99.5 %): division (kappa), or polynomial with k1; k1 k2; k1 k2 k3; k1 k2 p1 p2; k1 k2 k3 p1 p2. Pixels are as\n"
+    "high as wide unless the pictures say otherwise. The numbers run from distorted to undistorted, on the sensor in\n"
+    "mm, as HALCON's do: kappa and k1 in 1/mm^2, k2 in 1/mm^4, k3 in 1/mm^6, p1 and p2 in 1/mm. In the JSON "
+    "\"opencv\"\n"
+    "is the same lens in OpenCV's terms, \"opencv_reference\" what OpenCV's calibrateCamera makes of the same points "
+    "of\n"
+    "pictures and target with as many parameters.\n\n"
+    "Errors are RMS and mean of the distances of all points used. Points that all pictures show out of place are the\n"
+    "target's error: they are estimated with the camera where other pictures are predicted better so, in the target's\n"
+    "plane and, of a target that is bent, out of it. A calibration that is refused is not written; exit code 1.\n\n"
     "Example: vignole-cli calibrate intrinsics dots/*.png --target dotplate:13x9:10 --out camera1.toml --json -";
 
 }  // namespace

@@ -149,8 +149,11 @@ Json referenceJson(const OpenCvReference& r) {
 Json targetJson(const IntrinsicsCalibration& c) {
   Json corrections = Json::array();
   for (const Point2& p : c.targetCorrectionsMm) corrections.push_back(pair(p));
-  return {
-      {"estimated", c.targetErrorMm > 0}, {"error_mm", c.targetErrorMm}, {"corrections_mm", std::move(corrections)}};
+  return {{"estimated", c.targetErrorMm > 0},
+          {"error_mm", c.targetErrorMm},
+          {"bend_mm", c.targetBendMm},
+          {"corrections_mm", std::move(corrections)},
+          {"heights_mm", c.targetHeightsMm}};
 }
 
 Json nextPoseJson(const NextPose& next) {
@@ -204,6 +207,12 @@ std::string modelTable(const IntrinsicsCalibration& c) {
                    v->rmsPx, v->meanPx, v->heldOutRmsPx, v->intrinsics.focalMm);
   };
   return text + row("analytical", c.division) + row("numerical", c.polynomial);
+}
+
+std::string openCvLine(const char* what, const std::optional<OpenCvReference>& r, const Intrinsics& in) {
+  if (!r) return {};
+  return printed("  %-22s %9.4f %9s %12s %12.4f   fx %.2f fy %.2f px\n", what, r->rmsPx, "", "",
+                 r->fxPx * in.pixelWidthMm, r->fxPx, r->fyPx);
 }
 
 std::string nextPoseText(const NextPose& next) {
@@ -262,6 +271,7 @@ Json toJson(const IntrinsicsCalibration& c, const std::optional<NextPose>& next,
     j["variants"] = std::move(variants);
     j["opencv"] = openCvJson(c.camera.intrinsics);
     if (c.openCv) j["opencv_reference"] = referenceJson(*c.openCv);
+    if (c.openCvTargetAsStated) j["opencv_reference_target_as_stated"] = referenceJson(*c.openCvTargetAsStated);
     j["chi2_per_dof"] = c.chi2PerDof;
     j["unexplained_px"] = c.unexplainedPx;
     j["target"] = targetJson(c);
@@ -284,9 +294,8 @@ std::string toTable(const IntrinsicsCalibration& c, const std::optional<NextPose
     text += printed("model %s: reprojection error %.4f px RMS, %.4f px mean\n", name(c.variant).c_str(), c.camera.rmsPx,
                     c.camera.meanPx) +
             parameterTable(c) + modelTable(c);
-    if (c.openCv)
-      text += printed("  %-22s %9.4f %9s %12s %12.4f   fx %.2f fy %.2f px\n", "OpenCV, same points", c.openCv->rmsPx,
-                      "", "", c.openCv->fxPx * c.camera.intrinsics.pixelWidthMm, c.openCv->fxPx, c.openCv->fyPx);
+    text += openCvLine("OpenCV, same points", c.openCv, c.camera.intrinsics) +
+            openCvLine("OpenCV, as stated", c.openCvTargetAsStated, c.camera.intrinsics);
   }
   for (const ViewResult& v : c.views) {
     text += v.file + ": ";

@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "calibration/intrinsics/target_errors.h"
+
 namespace vignole {
 
 namespace {
@@ -22,7 +24,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& di
 
 Information::Information(const LensVariant& variant, std::size_t freePoints) {
   for (const CameraParameter p : freeParameters(variant)) free_.push_back(static_cast<int>(p));
-  const auto size = static_cast<Eigen::Index>(free_.size() + 2 * freePoints);
+  const auto size = static_cast<Eigen::Index>(free_.size() + 3 * freePoints);
   matrix_ = Eigen::MatrixXd::Zero(size, size);
 }
 
@@ -51,21 +53,21 @@ void Information::add(const Intrinsics& in, const Extrinsics& cameraFromTarget,
     byPose.topRows(n) += weight * byFree.transpose() * r.byPose;
     pose += weight * r.byPose.transpose() * r.byPose;
     if (!pointsAreFree) continue;
-    const Eigen::Index at = n + 2 * o.point;
-    const Eigen::Matrix2d byPoint = r.byPoint.leftCols<2>();
-    matrix_.block<2, 2>(at, at) += weight * byPoint.transpose() * byPoint;
-    const Eigen::MatrixXd mixed = weight * byPoint.transpose() * byFree;
-    matrix_.block(at, 0, 2, n) += mixed;
-    matrix_.block(0, at, n, 2) += mixed.transpose();
-    byPose.middleRows<2>(at) += weight * byPoint.transpose() * r.byPose;
+    const Eigen::Index at = n + 3 * o.point;
+    matrix_.block<3, 3>(at, at) += weight * r.byPoint.transpose() * r.byPoint;
+    const Eigen::MatrixXd mixed = weight * r.byPoint.transpose() * byFree;
+    matrix_.block(at, 0, 3, n) += mixed;
+    matrix_.block(0, at, n, 3) += mixed.transpose();
+    byPose.middleRows<3>(at) += weight * r.byPoint.transpose() * r.byPose;
   }
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factor(pose);
   if (factor.info() == Eigen::Success && factor.isPositive()) matrix_ -= byPose * factor.solve(byPose.transpose());
 }
 
-void Information::addPointPriors(double sigmaMm) {
-  const auto n = static_cast<Eigen::Index>(free_.size());
-  matrix_.diagonal().tail(matrix_.rows() - n).array() += 1 / (sigmaMm * sigmaMm);
+void Information::add(const TargetPrior& prior) {
+  const Eigen::Vector3d weights = priorWeights(prior);
+  for (auto at = static_cast<Eigen::Index>(free_.size()); at < matrix_.rows(); at += 3)
+    matrix_.diagonal().segment<3>(at) += weights;
 }
 
 Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> Information::covariance() const {
@@ -86,12 +88,11 @@ Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> Information::c
 }
 
 Information informationOf(const TargetObservations& observations, const LensVariant& variant, const TargetFit& fit,
-                          double pointSigmaMm) {
-  const bool free = pointSigmaMm > 0;
-  Information information(variant, free ? fit.points.size() : 0);
+                          const TargetPrior& prior) {
+  Information information(variant, prior.free() ? fit.points.size() : 0);
   for (std::size_t v = 0; v < observations.views.size(); ++v)
     information.add(fit.intrinsics, fit.cameraFromTarget[v], fit.points, observations.radiusMm, observations.views[v]);
-  if (free) information.addPointPriors(pointSigmaMm);
+  if (prior.free()) information.add(prior);
   return information;
 }
 
