@@ -8,9 +8,13 @@
 
 namespace vignole::cli {
 
-void addCalibrate(CLI::App& app, int&) {
+void addCalibrate(CLI::App& app, int& exitCode) {
   CLI::App* calibrate = app.add_subcommand("calibrate", "Cameras, range finders, encoder: calibrated and assessed");
   calibrate->require_subcommand(1);
+  addCalibrateIntrinsics(*calibrate, exitCode);
+  addCalibrateConvert(*calibrate, exitCode);
+  addCalibrateExposure(*calibrate, exitCode);
+  addCalibrateEncoder(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli

@@ -2,13 +2,16 @@
 // What `vignole-cli inspect` tells: a table for people, JSON and CSV for programs (commands.md is the contract).
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "calibration/drift/drift_watch.h"
 #include "cli/accuracy.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
+#include "engine/optics/calibration_age.h"
 
 namespace vignole::cli {
 
@@ -24,7 +27,10 @@ struct InspectionOutcome {
   std::vector<StageStatistics> stages;
   std::uint64_t profiles = 0;
   double wallS = 0;
-  std::string calibrationId, calibrationMethod, calibrationCreated;
+  RigCalibration calibration;
+  CalibrationAge calibrationAge;
+  DriftIndicators drift;
+  std::optional<std::uint64_t> firstDriftRail;  ///< the rail, from 1, after which a camera was first said to have moved
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
 };

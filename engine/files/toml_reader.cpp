@@ -294,6 +294,14 @@ std::size_t TomlReader::size(std::string_view array) {
   return asArray->size();
 }
 
+std::size_t TomlReader::listSize(std::string_view list) {
+  const std::string wanted = "a list in brackets";
+  const toml::node* node = impl_->value(list, false, wanted);
+  if (node == nullptr) return 0;
+  if (!node->is_array()) impl_->wrongKind(list, *node, wanted);
+  return node->is_array() ? node->as_array()->size() : 0;
+}
+
 void TomlReader::refuse(std::string_view key, std::string what) { impl_->refuse(key, std::move(what)); }
 
 Expected<void> TomlReader::finish() {

@@ -33,6 +33,8 @@ class TomlReader {
   /// Keys of a table (marks the table itself as known), or the number of tables in an array of tables.
   [[nodiscard]] std::vector<std::string> keys(std::string_view table);
   [[nodiscard]] std::size_t size(std::string_view array);
+  /// Number of elements of a list of plain values, which are asked for one by one ("factor.0.levels.2").
+  [[nodiscard]] std::size_t listSize(std::string_view list);
   /// Adds an error of the caller's at the line of `key`; the first error wins.
   void refuse(std::string_view key, std::string what);
   [[nodiscard]] Expected<void> finish();

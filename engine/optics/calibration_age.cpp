@@ -41,4 +41,11 @@ CalibrationAge ageOf(const RigCalibration& calibration, std::chrono::sys_seconds
   return age;
 }
 
+std::string warningOf(const RigCalibration& calibration, const CalibrationAge& age) {
+  if (!age.overdue || !age.days) return {};
+  if (*age.days < 0) return "from " + calibration.created + ", which this computer's clock has not reached";
+  return std::to_string(static_cast<long>(*age.days)) + " days old, its interval is " +
+         std::to_string(calibration.intervalDays) + " days";
+}
+
 }  // namespace vignole

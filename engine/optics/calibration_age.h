@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "engine/optics/calibration.h"
@@ -16,6 +17,8 @@ struct CalibrationAge {
   std::optional<double> days;  ///< empty where the calibration does not say when it was made; < 0: in the future
   bool overdue = false;        ///< older than its interval, or made in the future by this machine's clock
 };
+/// Empty, or what is wrong with its age in a few words: "120 days old, its interval is 90 days".
+[[nodiscard]] std::string warningOf(const RigCalibration& calibration, const CalibrationAge& age);
 [[nodiscard]] CalibrationAge ageOf(const RigCalibration& calibration, std::chrono::sys_seconds now);
 
 }  // namespace vignole

@@ -34,6 +34,24 @@ TEST(TomlReader, ReadsEveryKindOfValue) {
   EXPECT_EQ(errorOf(r), "");
 }
 
+TEST(TomlReader, ReadsAListOfAnyLengthOneByOne) {
+  TomlReader r = read("[[f]]\nlevels = [1, 2.5]\n[[f]]\nlevels = ['x', 'y', 'z']\n");
+  ASSERT_EQ(r.size("f"), 2U);
+  ASSERT_EQ(r.listSize("f.0.levels"), 2U);
+  EXPECT_EQ(r.number("f.0.levels.1", 0, 9), 2.5);
+  ASSERT_EQ(r.listSize("f.1.levels"), 3U);
+  EXPECT_EQ(r.text("f.1.levels.2"), "z");
+  EXPECT_EQ(errorOf(r), "");
+
+  TomlReader wrong = read("levels = 3\n");
+  EXPECT_EQ(wrong.listSize("levels"), 0U);
+  EXPECT_NE(errorOf(wrong).find("a list in brackets"), std::string::npos);
+  TomlReader element = read("levels = [1,\n 'x']\n");
+  EXPECT_EQ(element.listSize("levels"), 2U);
+  EXPECT_EQ(element.number("levels.1", 0, 9), 0);
+  EXPECT_NE(errorOf(element).find("test.toml:3:"), std::string::npos);
+}
+
 TEST(TomlReader, FallbackStandsInForWhatIsMissing) {
   TomlReader r = read("");
   EXPECT_EQ(r.number("a", 0, 2, 1.0), 1.0);

@@ -29,6 +29,9 @@ TEST(CalibrationAge, IsOverdueAfterItsInterval) {
   rig.intervalDays = 30;
   EXPECT_FALSE(ageOf(rig, made + 24h * 30).overdue);
   EXPECT_TRUE(ageOf(rig, made + 24h * 30 + 1s).overdue);
+  EXPECT_EQ(warningOf(rig, ageOf(rig, made + 24h * 30)), "");
+  EXPECT_EQ(warningOf(rig, ageOf(rig, made + 24h * 41)), "41 days old, its interval is 30 days");
+  EXPECT_NE(warningOf(rig, ageOf(rig, made - 240h)).find("clock"), std::string::npos);
   EXPECT_DOUBLE_EQ(*ageOf(rig, made + 36h).days, 1.5);
   EXPECT_FALSE(ageOf(rig, made - 12h).overdue) << "clocks and time zones differ";
   EXPECT_TRUE(ageOf(rig, made - 240h).overdue) << "made in the future: one of the dates is wrong";
