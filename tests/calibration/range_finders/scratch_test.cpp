@@ -91,7 +91,7 @@ TEST(Scratch, Pull) {
       const std::size_t e = first ? 0 : a.inside.size() - 1;
       const double lightEnd = a.line->points[e].lightDn, lightMid = a.line->points[a.inside.size() / 2].lightDn;
       const Point2 along(-a.line->points[e].normal.y(), a.line->points[e].normal.x());
-      const double sm = std::sqrt(a.correlationPx2 + 0.25 + 0.1225 * std::pow(a.offPlanePx.dot(along), 2));
+      const double sm = std::sqrt(a.filterPx2 + 0.25 + 0.1225 * std::pow(a.offPlanePx.dot(along), 2));
       const int bin = static_cast<int>(4 * edge / sm) + (lightEnd > 0.25 * lightMid ? 1000 : 0);
       auto& b = bins[bin]; b[0] += 1; b[1] += a.residualPx[i]; b[2] += a.residualPx[i] * a.residualPx[i]; b[3] += a.pullMm[i] / a.mmPerPx[i];
     }
@@ -148,7 +148,7 @@ TEST(Scratch, Campaign) {
     }
     double c = 0, r = 0, p = 0;
     for (int i = 0; i < 4; ++i) { auto& f = adj->finders[i]; c += f.cd.mean / 4; r += f.rd.mean / 4; p += f.pd.mean / 4; rep += f.reprojectionPx / 4; noise[i] += f.noisePx / f.expectedNoisePx; }
-    std::cout << " cd " << c << " rd " << r << " pd " << p << " freed " << adj->intrinsicsFreed << " rep " << adj->finders[0].reprojectionPx << " noise " << adj->finders[0].noisePx << "/" << adj->finders[0].expectedNoisePx << " nc " << adj->finders[0].correlatedPoints << " blur " << adj->calibration.rangeFinders[0].blurPx << " th " << adj->calibration.rangeFinders[0].lightPlane.thicknessMm << "\n";
+    std::cout << " cd " << c << " rd " << r << " pd " << p << " freed " << adj->intrinsicsFreed << " rep " << adj->finders[0].reprojectionPx << " noise " << adj->finders[0].noisePx << "/" << adj->finders[0].expectedNoisePx << " corr " << adj->finders[1].correlatedPoints << " nc " << adj->finders[0].correlatedPoints << " blur " << adj->calibration.rangeFinders[0].blurPx << " th " << adj->calibration.rangeFinders[0].lightPlane.thicknessMm << "\n";
     if (env("PINS", 0) > 0) for (auto& v : adj->pins) if (!v.used || v.cdMm > 0.15) std::cout << "   pin " << v.pin << " cam " << v.camera << " pl " << v.placement << " " << v.reason << " arc " << v.arcDeg << " pts " << v.points << " cd " << v.cdMm << " rd " << v.rdMm << "\n";
     cd += c; rd += r; pd += p;
   }
@@ -159,6 +159,7 @@ TEST(Scratch, Campaign) {
 
 namespace vignole {
 TEST(Scratch, Bias) {
+  std::map<int, std::array<double, 2>> corr; double corr0 = 0, corrn = 0, vf = 0, blockVar = 0, blockExp = 0; int blocks = 0;
   std::map<int, std::array<double, 5>> byEnd, byAngle, byPin, byStrength;
   const int n = static_cast<int>(env("N", 10));
   for (int k = 0; k < n; ++k) {
@@ -180,6 +181,18 @@ TEST(Scratch, Bias) {
   auto arcs = observations(camp.inputs, cams);
   for (int r = 0; r < 4; ++r) { predict(s, lights, set, 1, arcs); refineLights(s, arcs, lights); }
   predict(s, lights, set, 1, arcs);
+  for (auto& a : arcs) {
+    vf = a.filterPx2;
+    double m = 0, e = 0, nn = 0;
+    for (std::size_t i = 0; i < a.inside.size(); ++i) if (a.inside[i]) {
+      corr0 += std::pow(a.residualPx[i] / a.sigmaPx[i], 2); corrn += 1; m += a.residualPx[i] / a.sigmaPx[i]; ++nn;
+      for (std::size_t j = 0; j < a.inside.size(); ++j) if (a.inside[j]) {
+        e += std::exp(-std::pow(a.arcPx[j] - a.arcPx[i], 2) / (4 * vf));
+        if (j > i) { auto& b = corr[static_cast<int>(2 * (a.arcPx[j] - a.arcPx[i]))]; b[0] += 1; b[1] += a.residualPx[i] * a.residualPx[j] / a.sigmaPx[i] / a.sigmaPx[j]; }
+      }
+    }
+    if (nn > 15) { blockVar += m * m / e; blockExp += 1; ++blocks; }
+  }
   for (auto& a : arcs) for (std::size_t i = 0; i < a.inside.size(); ++i) if (a.inside[i]) {
       const double len = a.arcPx.back();
       const double edge = std::min(a.arcPx[i], len - a.arcPx[i]);
@@ -193,6 +206,8 @@ TEST(Scratch, Bias) {
       add(byStrength, static_cast<int>(a.line->points[i].lightDn / 8) + ((a.line->points[i].flags & kSaturated) ? 1000 : 0));
   }
   }
+  for (auto& [k, b] : corr) std::cout << "corr " << (k + 0.5) / 2 << " " << b[1] / corr0 * corrn / b[0] << " theory " << std::exp(-std::pow((k + 0.5) / 2, 2) / (4 * vf)) << "\n";
+  std::cout << "block " << blockVar / blocks << " expected " << blockExp / blocks << "\n";
   auto show = [&](const char* what, auto& m) { for (auto& [k, b] : m) std::cout << what << " " << k << " n " << b[0] << " mean " << b[1] / b[0] << " +- " << std::sqrt(b[2] / b[0]) / std::sqrt(b[0] / 6) << " rms " << std::sqrt(b[2] / b[0]) << " weighted " << b[4] / b[3] << "\n"; };
   show("end", byEnd); show("frac", byAngle); show("pin", byPin); show("light", byStrength);
 }
