@@ -12,6 +12,7 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   CLI::App* calibrate = app.add_subcommand("calibrate", "Cameras, range finders, encoder: calibrated and assessed");
   calibrate->require_subcommand(1);
   addCalibrateEncoder(*calibrate, exitCode);
+  addCalibrateExposure(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli

@@ -13,6 +13,8 @@ void addSimulate(CLI::App& app, int& exitCode) {
   simulate->require_subcommand(1);
   addSimulateRail(*simulate, exitCode);
   addSimulatePlate(*simulate, exitCode);
+  addSimulateTarget(*simulate, exitCode);
+  addSimulateCampaign(*simulate, exitCode);
 }
 
 }  // namespace vignole::cli

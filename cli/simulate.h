@@ -9,5 +9,7 @@ namespace vignole::cli {
 
 void addSimulateRail(CLI::App& simulate, int& exitCode);
 void addSimulatePlate(CLI::App& simulate, int& exitCode);
+void addSimulateTarget(CLI::App& simulate, int& exitCode);
+void addSimulateCampaign(CLI::App& simulate, int& exitCode);
 
 }  // namespace vignole::cli

@@ -6,11 +6,13 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "cli/rig_truth.h"
 #include "cli/simulate.h"
 #include "cli/virtual_intrinsics.h"
 
@@ -24,9 +26,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kUsualExposureMs = 15;
 constexpr double kLeastUMm = 1e-4;  // an adjustment wants no plate without any uncertainty
 constexpr double kRadiusShare = 0.2;
-
-/// A ten-thousandth of a pixel is far below what any extraction resolves.
-double shortened(double px) { return std::round(px * 1e4) / 1e4; }
 
 std::string plain(double value) {
   std::array<char, 32> buffer{};
@@ -158,34 +157,6 @@ std::vector<PictureJob> plateJobs(const SimulatedPlate& plate, const std::filesy
   return jobs;
 }
 
-Json rigTruth(const RigCalibration& rig) {
-  Json cameras = Json::array();
-  for (const RangeFinderCalibration& finder : rig.rangeFinders) {
-    const Intrinsics& in = finder.intrinsics;
-    Json camera;
-    camera["serial"] = finder.serial;
-    camera["focal_mm"] = in.focalMm;
-    camera["cx_px"] = in.cxPx;
-    camera["cy_px"] = in.cyPx;
-    if (in.model == DistortionModel::Division) {
-      camera["model"] = "division";
-      camera["kappa_per_mm2"] = in.kappa;
-    } else {
-      camera["model"] = "polynomial";
-      camera["k"] = {in.k1, in.k2, in.k3};
-      camera["p"] = {in.p1, in.p2};
-    }
-    Json rotation = Json::array();
-    for (int row = 0; row < 3; ++row)
-      rotation.push_back({finder.cameraFromWorld.rotation(row, 0), finder.cameraFromWorld.rotation(row, 1),
-                          finder.cameraFromWorld.rotation(row, 2)});
-    const auto& t = finder.cameraFromWorld.translationMm;
-    camera["camera_from_world"] = {{"rotation", rotation}, {"translation_mm", {t.x(), t.y(), t.z()}}};
-    cameras.push_back(std::move(camera));
-  }
-  return {{"id", rig.id}, {"cameras", cameras}};
-}
-
 Json plateTruth(const SimulatedPlate& plate) {
   const VirtualPlate& first = *plate.atExposures.front();
   const VirtualPlateSettings& s = first.settings();
@@ -213,10 +184,8 @@ Json plateTruth(const SimulatedPlate& plate) {
     for (int camera = 0; camera < kCameraCount; ++camera) {
       Json arcs = Json::array();
       for (const Pin& pin : first.truePlate().pins) {
-        Json points = Json::array();
-        for (const Point2& px : first.visibleArc(camera, static_cast<int>(p), pin.number))
-          points.push_back({shortened(px.x()), shortened(px.y())});
-        if (!points.empty()) arcs.push_back({{"pin", pin.number}, {"px", std::move(points)}});
+        const auto arc = first.visibleArc(camera, static_cast<int>(p), pin.number);
+        if (!arc.empty()) arcs.push_back({{"pin", pin.number}, {"px", pixelsTruth(arc)}});
       }
       placement["cameras"].push_back({{"camera", camera + 1}, {"visible_arcs", std::move(arcs)}});
     }

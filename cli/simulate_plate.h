@@ -50,7 +50,5 @@ struct SimulatedPlate {
 
 /// True pins, placements and arcs; for truth.json.
 [[nodiscard]] nlohmann::ordered_json plateTruth(const SimulatedPlate& plate);
-/// Intrinsic parameters and poses of the rig.
-[[nodiscard]] nlohmann::ordered_json rigTruth(const RigCalibration& rig);
 
 }  // namespace vignole::cli

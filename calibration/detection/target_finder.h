@@ -22,9 +22,12 @@ struct TargetView {
   std::string file;
   int widthPx = 0, heightPx = 0;
   std::vector<FoundPoint> points;
-  std::string refusal;   ///< empty, or why the picture is of no use and what to do: blur, saturation, too small ...
-  bool partial = false;  ///< part of the target lies outside the picture or was not found
-  double blurPx = 0;     ///< standard deviation of the edges' blur
+  std::string refusal;    ///< empty, or why the picture is of no use and what to do: blur, saturation, too small ...
+  bool partial = false;   ///< part of the target lies outside the picture or was not found
+  double blurPx = 0;      ///< standard deviation of the edges' blur, the pixel's own width included
+  double pitchPx = 0;     ///< distance of neighbours along the shorter side, median over the target
+  double obliqueDeg = 0;  ///< angle between the line of sight and the target's normal, about
+  double saturatedShare = 0;  ///< of the points: in clipped light
   [[nodiscard]] bool usable() const { return refusal.empty(); }
 };
 

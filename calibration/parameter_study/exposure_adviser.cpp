@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "engine/acquisition/picture_file.h"
 #include "engine/optics/plane_map.h"
@@ -36,8 +37,24 @@ std::string printed(const char* format, double value) {
 std::string milliseconds(double ms) { return printed("%g ms", ms); }
 std::string percent(double share) { return printed("%.3g %%", 100 * share); }
 
-/// Most points of a camera in a scene over the exposures.
+/// Most points of a camera in a scene over the exposures that are not clipped: light that is makes every end longer.
 using Fullest = std::map<std::pair<std::string, int>, int>;
+
+Fullest fullestOf(const std::vector<ExposureReading>& readings, double maxSaturated) {
+  std::map<double, double> saturated;
+  for (const ExposureReading& r : readings) {
+    double& most = saturated[r.exposureMs];
+    most = std::max(most, r.saturated);
+  }
+  const bool all = std::none_of(saturated.begin(), saturated.end(),
+                                [&](const auto& exposure) { return exposure.second <= maxSaturated; });
+  Fullest fullest;
+  for (const ExposureReading& r : readings) {
+    int& most = fullest[{r.scene, r.camera}];
+    if (all || saturated.at(r.exposureMs) <= maxSaturated) most = std::max(most, r.points);
+  }
+  return fullest;
+}
 
 class Sum {
  public:
@@ -74,7 +91,7 @@ ExposureRow rowOf(double exposureMs, const std::vector<ExposureReading>& reading
     if (r.exposureMs != exposureMs) continue;
     ++row.pictures;
     const int most = fullest.at({r.scene, r.camera});
-    if (most > 0) coverage.add(static_cast<double>(r.points) / most);
+    if (most > 0) coverage.add(std::min(1.0, static_cast<double>(r.points) / most));
     if (r.points == 0) {
       ++row.empty;
       row.weakSnr = 0;
@@ -211,19 +228,15 @@ ExposureReading readExposure(const StripeResult& lines, const RangeFinderCalibra
 }
 
 Expected<ExposureAdvice> adviseExposure(std::vector<ExposureReading> readings, const ExposureSettings& settings) {
-  Fullest fullest;
-  std::map<double, int> exposures;
-  for (const ExposureReading& r : readings) {
-    ++exposures[r.exposureMs];
-    int& most = fullest[{r.scene, r.camera}];
-    most = std::max(most, r.points);
-  }
+  std::set<double> exposures;
+  for (const ExposureReading& r : readings) exposures.insert(r.exposureMs);
   if (exposures.size() < 2)
     return inputError("exposure", "needs pictures at two exposures or more; there are pictures at " +
                                       std::to_string(exposures.size()));
   ExposureAdvice advice;
   advice.settings = settings;
-  for (const auto& [exposureMs, count] : exposures) {
+  const Fullest fullest = fullestOf(readings, settings.maxSaturated);
+  for (const double exposureMs : exposures) {
     advice.rows.push_back(rowOf(exposureMs, readings, fullest, settings));
     findLimits(advice.rows.back(), settings);
   }

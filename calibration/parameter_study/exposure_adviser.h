@@ -25,7 +25,7 @@ struct RailMotionModel {
   double speedMPerS = 1;
   double vibrationMm = 0.05;  ///< standard deviation across the line
   double vibrationHz = 20;
-  double slopeMmPerM = 1;  ///< of the section's position along the rail: bends, twist
+  double slopeMmPerM = 3;  ///< how the section moves across its way along the rail: bends, wander on the roller table
 };
 /// Standard deviation of the smear across the line, mm.
 [[nodiscard]] double motionBlurMm(const RailMotionModel& motion, double exposureMs);
@@ -41,7 +41,7 @@ struct CameraTiming {
 [[nodiscard]] double highestRateHz(const CameraTiming& timing, double exposureMs);
 
 struct ExposureSettings {
-  StripeSettings stripe;
+  StripeSettings stripe{.sigma = 2.2};  ///< as recipes for rails have it
   RailMotionModel motion;
   CameraTiming timing;
   std::optional<double> rateHz;   ///< triggers that are wanted; none: any rate will do
@@ -50,7 +50,7 @@ struct ExposureSettings {
   double maxSaturated = 0.02;     ///< share of a picture's line that may be clipped
   double minWeakSnr = 6;          ///< at the weakest 5 % of a line; 6: about 0.1 px with sigma 3
   double maxBlurPx = 1;           ///< motion; widens a line of 3 px by 5 %
-  double minCoverage = 0.98;      ///< of the line's points, against the exposure that shows most of them
+  double minCoverage = 0.95;      ///< of the line's points, against the unclipped exposure that shows most of them
   double tolerance = 0.1;         ///< a shorter exposure is taken if its uncertainty is no more than this larger
 };
 
@@ -79,10 +79,11 @@ struct ExposureRow {
   double saturated = 0, saturatedMax = 0;  ///< mean, worst picture
   double snr = 0;                          ///< median contrast over noise of a pixel, mean of the pictures
   double weakSnr = 0;                      ///< contrast of the weakest 5 % over noise, worst picture
-  double coverage = 0;                     ///< points against the exposure that shows most, mean of the scenes
-  double sigmaPx = 0, sigmaMm = 0;         ///< of a point in one profile, with the smear; mm 0: not known
-  double blurMm = 0, blurPx = 0;           ///< smear by motion; px 0: not known
-  double travelMm = 0;                     ///< way of the rail within the exposure
+  double coverage = 0;              ///< points against the unclipped exposure that shows most, mean of the scenes
+  double sigmaPx = 0, sigmaMm = 0;  ///< of a point in one profile, with the smear; mm 0: not known. Clipped lines
+                                    ///< hide their noise: too small there
+  double blurMm = 0, blurPx = 0;    ///< smear by motion; px 0: not known
+  double travelMm = 0;              ///< way of the rail within the exposure
   double highestRateHz = 0;
   double spacingMm = 0;             ///< of profiles along the rail at that rate (or at the wanted one)
   double sigmaPerMetreMm = 0;       ///< mean over the profiles of a metre at that rate; mm 0: px

@@ -158,6 +158,7 @@ Expected<std::vector<ExposedPicture>> findExposedPictures(const std::vector<fs::
   std::vector<fs::path> files;
   for (const fs::path& path : given) {
     std::error_code error;
+    if (!fs::exists(path, error)) return inputError(path.string(), "does not exist; give pictures or their folders");
     if (!fs::is_directory(path, error)) {
       files.push_back(path);
       continue;

@@ -14,15 +14,15 @@ struct ResponseWords {
   bool largerIsBetter, logarithmic;
 };
 constexpr std::array<ResponseWords, kResponseCount> kWords{
-    {{"success", "cameras calibrated", true, false},
-     {"association", "pins associated and used, of those of the plate", true, false},
+    {{"success", "Cameras calibrated", true, false},
+     {"association", "Pins associated and used, of those of the plate", true, false},
      {"cd_mm", "CD: centre distance, mm", false, true},
      {"rd_mm", "RD: radius difference, mm", false, true},
      {"pd_mm", "PD: point distance, mm", false, true},
      {"pd_nominal_mm", "PD about the stated centres, mm", false, true},
-     {"reprojection_px", "reprojection, px", false, true},
-     {"dimension_u_mm", "uncertainty of dimensions, mm", false, true},
-     {"time_s", "time, s", false, true}}};
+     {"reprojection_px", "Reprojection, px", false, true},
+     {"dimension_u_mm", "Uncertainty of dimensions, mm", false, true},
+     {"time_s", "Time, s", false, true}}};
 const ResponseWords& wordsOf(Response response) { return kWords[static_cast<std::size_t>(response)]; }
 
 double valueOf(const StudyUnit& unit, Response response) { return unit.values[static_cast<std::size_t>(response)]; }

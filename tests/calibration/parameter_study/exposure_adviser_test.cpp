@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "engine/simulator/rail_motion.h"
+
 namespace vignole {
 namespace {
 
@@ -61,6 +63,21 @@ TEST(MotionBlur, AlongTheRailCountsOnlyWhatChangesAlongIt) {
   EXPECT_NEAR(motionBlurMm({2, 0, 20, 1}, 15), 2 * 0.015 / std::sqrt(12.0), 1e-12) << "1 mm/m, 30 mm on the way";
 }
 
+/// The virtual rail: five sines of 5 to 30 Hz in x and y, 0.05 mm together; their mean square frequency is 18.9^2 Hz^2.
+TEST(MotionBlur, AgreesWithTheVirtualRail) {
+  for (const double exposureMs : {5.0, 15.0}) {
+    double variance = 0;
+    int n = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      const simulator::RailMotion rail(seed, {.wander = 0, .vibration = 1, .exposureS = exposureMs / 1000});
+      for (double timeS = 0; timeS < 4; timeS += 0.037, ++n) variance += rail.exposed(timeS).covariance(0, 0);
+    }
+    // The virtual rail takes 8 steps within an exposure: 1 - 1/64 of the variance of a straight way.
+    const double model = motionBlurMm({0, 0.05, 18.9, 0}, exposureMs);
+    EXPECT_NEAR(std::sqrt(variance / n), model, 0.08 * model) << exposureMs;
+  }
+}
+
 TEST(HighestRate, IsThePapersSixtySix) {
   EXPECT_NEAR(highestRateHz({}, 15), 66.7, 0.05);
   EXPECT_NEAR(highestRateHz({}, 5), 1000 / 11.5, 1e-9) << "reading out takes longer than the exposure";
@@ -114,7 +131,8 @@ TEST(ExposureAdvice, SmearIsAddedToPicturesTakenAtRest) {
   ASSERT_TRUE(moving && atRest);
   const double b = motionBlurMm(settings.motion, 20) / 0.2;
   EXPECT_GT(b, 1);
-  EXPECT_NEAR(atRest->rows[1].sigmaPx / moving->rows[1].sigmaPx, std::pow((18 + b * b) / 18, 1.5), 1e-9);
+  const double v = 9 + 2.2 * 2.2;  // of the line and of the filter
+  EXPECT_NEAR(atRest->rows[1].sigmaPx / moving->rows[1].sigmaPx, std::pow((v + b * b) / v, 1.5), 1e-9);
   EXPECT_THAT(reasons(*atRest), testing::HasSubstr("20 ms: motion: smeared"));
 }
 

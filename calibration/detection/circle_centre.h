@@ -1,0 +1,21 @@
+#pragma once
+// What a circle's image is to its centre's (optics design, section 1.2): its centre, that of an ellipse, is not the
+// image of the circle's centre. Templates over the scalar, for adjustments.
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace vignole {
+
+/// The point of the target's plane whose image is the centre of the circle's image (in undistorted pixels): the pole of
+/// the plane's vanishing line, centre - r^2 h / w with h the first two entries of the homography's third row and w its
+/// value at the centre. For a target's plane z = 0 before a camera, (h, w) is the third row of cameraFromTarget:
+/// h = (R20, R21), w = depth of the centre in the camera's frame.
+template <typename T>
+[[nodiscard]] Eigen::Matrix<T, 2, 1> circleCentreInPlane(const Eigen::Matrix<T, 2, 1>& centreMm, const T& radiusMm,
+                                                         const T& h0, const T& h1, const T& w) {
+  const T scale = radiusMm * radiusMm / w;
+  return {centreMm.x() - scale * h0, centreMm.y() - scale * h1};
+}
+
+}  // namespace vignole

@@ -1,0 +1,111 @@
+#include "calibration/intrinsics/model_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/parallel_for.h"
+
+namespace vignole {
+
+namespace {
+
+/// The views that have points, dealt out to folds in turn.
+std::vector<std::vector<std::size_t>> foldsOf(const TargetObservations& observations, int wanted) {
+  std::vector<std::size_t> views;
+  for (std::size_t v = 0; v < observations.views.size(); ++v)
+    if (!observations.views[v].empty()) views.push_back(v);
+  const std::size_t count = std::min(views.size(), static_cast<std::size_t>(std::max(2, wanted)));
+  std::vector<std::vector<std::size_t>> folds(count);
+  for (std::size_t i = 0; i < views.size(); ++i) folds[i % count].push_back(views[i]);
+  return folds;
+}
+
+/// Squares of the residuals of all points of a view, each judged while the other half fits the pose.
+std::vector<double> judgedSquares(const ObservedView& view, std::size_t v, const TargetObservations& observations,
+                                  const LensVariant& variant, const TargetFit& trained) {
+  AdjustmentSettings pose;
+  pose.posesOnly = true;
+  std::vector<double> squares(view.size());
+  for (const std::size_t half : {0U, 1U}) {
+    TargetObservations fitted{observations.points, observations.radiusMm, {{}}}, judged = fitted;
+    for (std::size_t i = 0; i < view.size(); ++i) (i % 2 == half ? fitted : judged).views[0].push_back(view[i]);
+    const TargetFit start{trained.intrinsics, {trained.cameraFromTarget[v]}, trained.points, true};
+    const auto all = residuals(judged, adjust(fitted, variant, start, pose));
+    for (std::size_t i = 0; i < all.front().size(); ++i) squares[2 * i + 1 - half] = all.front()[i].squaredNorm();
+  }
+  return squares;
+}
+
+void holdOut(const std::vector<std::size_t>& fold, const TargetObservations& observations, const LensVariant& variant,
+             const TargetFit& fit, double pointSigmaMm, HeldOut& result) {
+  TargetObservations training = observations;
+  for (const std::size_t v : fold) training.views[v].clear();
+  AdjustmentSettings settings;
+  settings.pointSigmaMm = pointSigmaMm;
+  const TargetFit trained = adjust(training, variant, fit, settings);
+  for (const std::size_t v : fold)
+    result.squaresPx2[v] = judgedSquares(observations.views[v], v, observations, variant, trained);
+}
+
+double rms(const HeldOut& h) {
+  double sum = 0, points = 0;
+  for (const auto& view : h.squaresPx2)
+    for (const double square : view) {
+      sum += square;
+      points += 1;
+    }
+  return std::isfinite(sum) ? std::sqrt(sum / points) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Expected<std::vector<HeldOut>> crossValidate(const TargetObservations& observations,
+                                             std::span<const LensVariant> variants, std::span<const TargetFit> fits,
+                                             const CrossValidationSettings& settings, const Job& job) {
+  const auto folds = foldsOf(observations, settings.folds);
+  std::vector<HeldOut> heldOut(variants.size());
+  for (HeldOut& h : heldOut) h.squaresPx2.resize(observations.views.size());
+  parallelFor(variants.size() * folds.size(), [&](std::size_t i) {
+    const std::size_t variant = i / folds.size();
+    if (job.cancelled()) return;
+    holdOut(folds[i % folds.size()], observations, variants[variant], fits[variant], settings.pointSigmaMm,
+            heldOut[variant]);
+  });
+  if (job.cancelled()) return cancelledError();
+  for (HeldOut& h : heldOut) h.rmsPx = rms(h);
+  return heldOut;
+}
+
+PairedDifference difference(const HeldOut& a, const HeldOut& b) {
+  double count = 0, sum = 0, squares = 0;
+  for (std::size_t v = 0; v < a.squaresPx2.size(); ++v)
+    for (std::size_t i = 0; i < a.squaresPx2[v].size(); ++i) {
+      const double d = a.squaresPx2[v][i] - b.squaresPx2[v][i];
+      count += 1;
+      sum += d;
+      squares += d * d;
+    }
+  PairedDifference result;
+  result.mean = sum / count;
+  result.standardError = std::sqrt(std::max(0.0, squares / count - result.mean * result.mean) / (count - 1));
+  return result;
+}
+
+std::size_t chooseSimplest(std::span<const LensVariant> variants, std::span<const HeldOut> heldOut,
+                           double standardErrors) {
+  const auto better = [&](std::size_t a, std::size_t b) { return heldOut[a].rmsPx < heldOut[b].rmsPx; };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < variants.size(); ++i)
+    if (better(i, best)) best = i;
+  std::size_t chosen = best;
+  const auto size = [&](std::size_t i) { return freeParameters(variants[i]).size(); };
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    if (size(i) > size(chosen) || (size(i) == size(chosen) && !better(i, chosen))) continue;
+    const PairedDifference d = difference(heldOut[i], heldOut[best]);
+    if (d.mean <= standardErrors * d.standardError) chosen = i;
+  }
+  return chosen;
+}
+
+}  // namespace vignole
