@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "engine/optics/nominal_rig.h"
+
 namespace vignole {
 
 Point2 pixelOf(const RangeFinderCalibration& finder, const Point2& mm) {
@@ -32,13 +34,14 @@ std::vector<PinPixels> pinPixels(const RigAdjustment& adjustment) {
 
 namespace {
 
-/// From the middle of the arc, away from its bulge.
-Point2 roughCentre(const std::vector<PlanePoint>& points, double radiusMm) {
+constexpr std::size_t kFewestPoints = 8;
+
+/// A radius behind the middle of the arc: what a camera sees of a pin bulges towards it.
+Point2 roughCentre(const std::vector<PlanePoint>& points, double radiusMm, const Point2& camera) {
   const PlanePoint &a = points.front(), &m = points[points.size() / 2], &b = points.back();
   const Point2 middle(m.x, m.y), chord(b.x - a.x, b.y - a.y);
   const Point2 across = Point2(-chord.y(), chord.x()).normalized();
-  const double bulge = across.dot(middle - 0.5 * Point2(a.x + b.x, a.y + b.y));
-  return middle - std::copysign(radiusMm, bulge) * across;
+  return middle - std::copysign(radiusMm, across.dot(camera - middle)) * across;
 }
 
 }  // namespace
@@ -65,13 +68,15 @@ Eigen::Matrix2d covarianceOf(const Eigen::Matrix2d& inverse, const std::vector<P
 
 }  // namespace
 
-PinCentre centreOf(const PinPixels& arc, const PlaneMap& map, double radiusMm) {
+PinCentre centreOf(const PinPixels& arc, const RangeFinderCalibration& finder, double radiusMm) {
+  const PlaneMap map(finder);
   constexpr int kSteps = 20;
   constexpr double kSettledMm = 1e-7;
   std::vector<PlanePoint> points;
   for (const Point2& px : arc.px) points.push_back(map(px.x(), px.y()));
-  if (points.size() < 3) return {};
-  PinCentre centre{false, roughCentre(points, radiusMm), Eigen::Matrix2d::Zero()};
+  if (points.size() < kFewestPoints) return {};
+  const Point2 camera = cameraCentre(finder.cameraFromWorld).head<2>();
+  PinCentre centre{false, roughCentre(points, radiusMm, camera), Eigen::Matrix2d::Zero()};
   for (int step = 0; step < kSteps; ++step) {
     Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
     Point2 b(0, 0);
