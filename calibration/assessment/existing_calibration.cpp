@@ -101,13 +101,18 @@ Check ageCheck(const RigCalibration& calibration, const CalibrationAge& age) {
 
 }  // namespace
 
-Expected<RigInputs> inputsFor(const RigCalibration& calibration) {
-  if (calibration.pins.empty()) return inputError("the calibration", "holds no pins; give the plate with --plate");
+Expected<RigInputs> inputsFor(const RigCalibration& calibration, const std::optional<PinPlate>& plate) {
+  if (calibration.pins.empty() && !plate)
+    return inputError("the calibration", "holds no pins; give the plate with --plate");
   RigInputs inputs;
-  inputs.plate.id = calibration.plate;
-  inputs.plate.measured = true;
-  for (const CalibratedPin& pin : calibration.pins)
-    inputs.plate.pins.push_back({pin.number, {pin.xMm, pin.yMm}, pin.radiusMm, pin.uMm, pin.uRadiusMm});
+  if (plate) {
+    inputs.plate = *plate;
+  } else {
+    inputs.plate.id = calibration.plate;
+    inputs.plate.measured = true;
+    for (const CalibratedPin& pin : calibration.pins)
+      inputs.plate.pins.push_back({pin.number, {pin.xMm, pin.yMm}, pin.radiusMm, pin.uMm, pin.uRadiusMm});
+  }
   for (std::size_t c = 0; c < kCameraCount; ++c) {
     CalibratedIntrinsics& camera = inputs.cameras[c];
     camera.serial = calibration.rangeFinders[c].serial;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "calibration/assessment/comparison.h"
@@ -14,8 +15,9 @@
 namespace vignole {
 
 /// What new placements are adjusted with to be judged by: the calibration's intrinsics with their uncertainty, and its
-/// pins as the plate. Error: it has no pins (then a plate must be given).
-[[nodiscard]] Expected<RigInputs> inputsFor(const RigCalibration& calibration);
+/// pins as the plate, or a plate that is given. Error: neither.
+[[nodiscard]] Expected<RigInputs> inputsFor(const RigCalibration& calibration,
+                                            const std::optional<PinPlate>& plate = {});
 
 struct ExistingCalibration {
   std::array<SpreadMm, kCameraCount> cd, rd, pd;  ///< Table IV by the calibration as it is, over the new placements
