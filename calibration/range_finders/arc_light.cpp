@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "engine/optics/camera_model.h"
 #include "engine/optics/nominal_rig.h"
@@ -20,16 +22,39 @@ Point2 pixel(const RangeFinderCalibration& finder, const Lens<double>& camera, c
                          {world.x(), world.y(), z});
 }
 
+/// The pixel that a point was found from: it lies on the point's normal.
+std::pair<double, double> pixelOf(const Point2& px, const Point2& normal) {
+  std::pair<double, double> best{std::round(px.x()), std::round(px.y())};
+  double least = 1e9;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const double x = std::round(px.x()) + dx, y = std::round(px.y()) + dy;
+      const double aside = std::abs((px.x() - x) * normal.y() - (px.y() - y) * normal.x());
+      if (aside < least) {
+        least = aside;
+        best = {x, y};
+      }
+    }
+  return best;
+}
+
 }  // namespace
 
-double pinLight(const ArcScene& scene, double angleRad) {
+PinLight pinLight(const ArcScene& scene, double angleRad) {
   const Point2 normal(std::cos(angleRad), std::sin(angleRad));
   const Point2 at = scene.centreMm + scene.radiusMm * normal;
   const Point3 camera = cameraCentre(scene.finder->cameraFromWorld);
-  const Point2 toLaser = scene.laserMm - at;
   const Point3 toCamera = (camera - Point3(at.x(), at.y(), 0)).normalized();
-  return std::max(0.0, normal.dot(toLaser)) / toLaser.squaredNorm() *
-         std::max(0.0, normal.dot(toCamera.head<2>()));
+  const double seen = std::max(0.0, normal.dot(toCamera.head<2>()));
+  const auto lit = [&](const Point2& laser) {
+    const Point2 toLaser = laser - at;
+    return seen * std::max(0.0, normal.dot(toLaser)) / toLaser.squaredNorm();
+  };
+  PinLight light;
+  light.own = lit(scene.laserMm);
+  for (const Point2& other : scene.othersMm) light.others += lit(other);
+  light.all = light.own + scene.otherShare * light.others;
+  return light;
 }
 
 ArcLight::ArcLight(const ArcScene& scene) {
@@ -53,7 +78,7 @@ ArcLight::ArcLight(const ArcScene& scene) {
   samples_.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double angle = scene.fromRad + (i + 0.5) * lengthRad / count;
-    const double light = pinLight(scene, angle);
+    const double light = pinLight(scene, angle).all;
     if (light > 0) samples_.push_back({pixel(finder, camera, onPin(angle), 0), light * lengthRad / count});
   }
 }
@@ -91,7 +116,7 @@ std::array<double, 9> ArcLight::smoothedAround(double column, double row) const 
 // L exp(a u - w^2 / 2 v), u along it, w across.
 ArcLight::Ridge ArcLight::ridgeBeside(const Point2& px, const Point2& normal) const {
   Ridge ridge;
-  const double column = std::round(px.x()), row = std::round(px.y());
+  const auto [column, row] = pixelOf(px, normal);
   const std::array<double, 9> s = smoothedAround(column, row);
   if (!(s[4] > 0)) return ridge;
   const double dx = (s[5] - s[3]) / (2 * s[4]), dy = (s[7] - s[1]) / (2 * s[4]);

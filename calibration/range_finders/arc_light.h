@@ -18,6 +18,8 @@ struct ArcScene {
   double radiusMm = 0;
   Point2 laserMm{0, 0};             ///< where the light comes from
   double fromRad = 0, toRad = 0;    ///< the stretch that is lit and seen, as angles about the centre; from < to
+  std::array<Point2, kCameraCount - 1> othersMm{};  ///< the lasers of the other cameras
+  double otherShare = 0;            ///< of their light that comes through the filter
   double smoothingPx2 = 0;          ///< variance of filter and lens
   double thicknessMm = 0;           ///< standard deviation of the sheet
 };
@@ -53,8 +55,13 @@ class ArcLight {
   Point2 offPlane_{0, 0};
 };
 
-/// Light that a stretch of a pin sends to the camera, by angle about its centre; Lambert's law; 0 where it is in the
-/// dark or turned away.
-[[nodiscard]] double pinLight(const ArcScene& scene, double angleRad);
+/// Light that a stretch of a pin sends to the camera, by its angle about the centre; Lambert's law; 0 where it is turned
+/// away. Shadows are not known here.
+struct PinLight {
+  double own = 0;     ///< of the camera's own laser
+  double others = 0;  ///< of the other lasers, before the filter
+  double all = 0;
+};
+[[nodiscard]] PinLight pinLight(const ArcScene& scene, double angleRad);
 
 }  // namespace vignole

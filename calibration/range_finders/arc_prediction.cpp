@@ -20,6 +20,8 @@ constexpr double kSaturatedFactor = 2;  // a clipped profile tells less of its m
 constexpr double kNaturalEnd = 0.5;     // of the arc's brightest light: below, the light fades; above, a shadow cuts it
 constexpr double kNarrowestPx2 = 0.25;  // ArcPoint::variancePx2 is clamped at filter + this ...
 constexpr double kClearOfClampPx2 = 0.35;  // ... so only lines broader by so much tell their width
+// Closer to the ends and darker than what the adjustment trusts, but good enough for a circle of its own.
+constexpr double kShownMargin = 1, kShownLight = 0.1;
 constexpr double kHalfTurn = std::numbers::pi;
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kHalfTurn); }
@@ -34,9 +36,29 @@ double robustWeight(double sigmas, double from) {
 
 void resize(ArcObservation& arc, std::size_t count) {
   arc.inside.assign(count, 0);
+  arc.shown.assign(count, 0);
   for (auto* v : {&arc.pullMm, &arc.mmPerPx, &arc.sigmaPx, &arc.residualPx, &arc.weight, &arc.widthMisfit,
                   &arc.lightMisfit, &arc.arcPx, &arc.angleRad})
     v->assign(count, 0.0);
+}
+
+ArcScene sceneOf(const RigState& state, const CameraLight& light, const ArcObservation& arc) {
+  const Pin& pin = state.pins[static_cast<std::size_t>(arc.pin)];
+  ArcScene scene;
+  scene.finder = &state.finders[static_cast<std::size_t>(arc.camera)];
+  scene.centreMm = state.worldFromPlate[static_cast<std::size_t>(arc.placement)] * pin.centreMm;
+  scene.radiusMm = pin.radiusMm;
+  scene.laserMm = light.laserMm;
+  scene.othersMm = light.othersMm;
+  scene.otherShare = light.otherShare;
+  scene.thicknessMm = std::sqrt(light.thicknessMm2);
+  return scene;
+}
+
+double brightestOf(const ArcScene& scene, const ArcObservation& arc) {
+  double brightest = 0;
+  for (const double angle : arc.angleRad) brightest = std::max(brightest, pinLight(scene, angle).own);
+  return brightest;
 }
 
 /// The stretch that is lit and seen: as far as the line goes, and where its light fades, to where it is none.
@@ -48,12 +70,11 @@ void setLitStretch(ArcScene& scene, const ArcObservation& arc) {
     const double middle = (*low + *high) / 2;
     return middle + wrapped(std::atan2(d.y(), d.x()) - middle);
   };
-  const double toCamera = heading(camera.head<2>()), toLaser = heading(scene.laserMm);
-  const double darkBelow = std::max(toCamera, toLaser) - kHalfTurn / 2,
-               darkAbove = std::min(toCamera, toLaser) + kHalfTurn / 2;
-  double brightest = 0;
-  for (const double angle : arc.angleRad) brightest = std::max(brightest, pinLight(scene, angle));
-  const auto fades = [&](double angle) { return pinLight(scene, angle) < kNaturalEnd * brightest; };
+  // Where its own laser no longer reaches there may be light of others, as far as the camera sees.
+  const double toCamera = heading(camera.head<2>());
+  const double darkBelow = toCamera - kHalfTurn / 2, darkAbove = toCamera + kHalfTurn / 2;
+  const double brightest = brightestOf(scene, arc);
+  const auto fades = [&](double angle) { return pinLight(scene, angle).own < kNaturalEnd * brightest; };
   scene.fromRad = fades(*low) ? darkBelow : *low;
   scene.toRad = fades(*high) ? darkAbove : *high;
 }
@@ -63,14 +84,8 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
   const std::vector<ArcPoint>& points = arc.line->points;
   const std::size_t count = points.size();
   resize(arc, count);
-  const RangeFinderCalibration& finder = state.finders[static_cast<std::size_t>(arc.camera)];
-  const Pin& pin = state.pins[static_cast<std::size_t>(arc.pin)];
-  ArcScene scene;
-  scene.finder = &finder;
-  scene.centreMm = state.worldFromPlate[static_cast<std::size_t>(arc.placement)] * pin.centreMm;
-  scene.radiusMm = pin.radiusMm;
-  scene.laserMm = light.laserMm;
-  scene.thicknessMm = std::sqrt(light.thicknessMm2);
+  ArcScene scene = sceneOf(state, light, arc);
+  const RangeFinderCalibration& finder = *scene.finder;
   const Point3 inCamera = finder.cameraFromWorld.rotation * Point3(scene.centreMm.x(), scene.centreMm.y(), 0) +
                           finder.cameraFromWorld.translationMm;
   arc.distanceMm = inCamera.z();
@@ -101,20 +116,28 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
     const Point2 along(-points[i].normal.y(), points[i].normal.x());
     return settings.endMarginSigmas * shone.smoothingPx(along);
   };
-  const double atFirst = reach(0), atLast = reach(count - 1), length = arc.arcPx.back();
+  const double brightest = brightestOf(scene, arc);
+  const auto smoothing = [&](std::size_t i) {
+    return shone.smoothingPx(Point2(-points[i].normal.y(), points[i].normal.x()));
+  };
+  const double atFirst = smoothing(0), atLast = smoothing(count - 1), length = arc.arcPx.back();
   for (std::size_t i = 0; i < count; ++i) {
     const double clipped = (points[i].flags & kSaturated) != 0 ? kSaturatedFactor : 1;
     arc.sigmaPx[i] = points[i].sigmaPx * clipped;
     arc.widthMisfit[i] = std::nan("");
-    if (arc.arcPx[i] < atFirst || length - arc.arcPx[i] < atLast) continue;
+    const double fromEnd = std::min(arc.arcPx[i] / atFirst, (length - arc.arcPx[i]) / atLast);
+    const double brightness = pinLight(scene, arc.angleRad[i]).own / brightest;
+    if (fromEnd < kShownMargin || brightness < kShownLight) continue;
     const ArcLight::Ridge ridge = shone.ridgeBeside(points[i].px, points[i].normal);
     if (!ridge.found) continue;
     const PlanePoint p = map(ridge.px.x(), ridge.px.y());
     arc.pullMm[i] = (Point2(p.x, p.y) - scene.centreMm).norm() - scene.radiusMm;
     arc.residualPx[i] = (offMm[i] - arc.pullMm[i]) / arc.mmPerPx[i];
-    arc.inside[i] = 1;
     const double scatter = std::hypot(light.noise * arc.sigmaPx[i], placeMm / arc.mmPerPx[i]);
     arc.weight[i] = robustWeight(arc.residualPx[i] / scatter, settings.outlierSigmas);
+    arc.shown[i] = 1;
+    if (fromEnd < settings.endMarginSigmas || brightness < settings.leastLight) continue;
+    arc.inside[i] = 1;
     arc.lightMisfit[i] = std::log(std::max(points[i].lightDn, 1.0)) - ridge.logLight;
     if (clipped == 1 && ridge.variancePx2 > arc.correlationPx2 + kNarrowestPx2 + kClearOfClampPx2)
       arc.widthMisfit[i] = points[i].variancePx2 - ridge.variancePx2;
@@ -171,46 +194,54 @@ void refineWidths(const std::vector<ArcObservation>& arcs, int camera, CameraLig
   light.uThicknessMm2 = std::sqrt(covariance(3, 3));
 }
 
-/// The light falls off as the cosine to the laser's direction: how it does tells where the laser stands.
-void refineLaser(const RigState& state, const std::vector<ArcObservation>& arcs, int camera, CameraLight& light) {
-  Sums<2> sums;
+/// The light falls off as the cosine to the laser's direction: how it does tells where the laser stands, and how much of
+/// the other lasers' light joins it where it is weak.
+void refineFall(const RigState& state, const std::vector<ArcObservation>& arcs, int camera, CameraLight& light) {
+  using Row = Eigen::Vector3d;
+  Sums<3> sums;
+  std::vector<std::pair<Row, double>> rows;
+  std::vector<double> weights;
   for (const ArcObservation& arc : arcs) {
     if (arc.camera != camera || !arc.used()) continue;
-    const Point2 centre = state.worldFromPlate[static_cast<std::size_t>(arc.placement)] *
-                          state.pins[static_cast<std::size_t>(arc.pin)].centreMm;
-    const Point2 to = light.laserMm - centre;
-    const double heading = std::atan2(to.y(), to.x());
-    const Point2 turning = Point2(-to.y(), to.x()) / to.squaredNorm();  // of the heading, per mm of the laser
-    Eigen::Vector2d meanRow(0, 0);
+    const ArcScene scene = sceneOf(state, light, arc);
+    const Point2 to = light.laserMm - scene.centreMm;
+    const double toLaser = std::atan2(to.y(), to.x());
+    const Point2 turning = Point2(-to.y(), to.x()) / to.squaredNorm();  // of that heading, per mm of the laser
+    rows.clear();
+    weights.clear();
+    Row meanRow = Row::Zero();
     double mean = 0, total = 0;
-    const auto visit = [&](const auto& take) {
-      for (std::size_t i = 0; i < arc.inside.size(); ++i) {
-        const double off = wrapped(arc.angleRad[i] - heading);
-        if (arc.inside[i] == 0 || std::abs(off) > 0.45 * kHalfTurn ||
-            (arc.line->points[i].flags & kSaturated) != 0)
-          continue;
-        take(std::tan(off) * turning, arc.lightMisfit[i], arc.weight[i]);
-      }
-    };
-    visit([&](const Point2& row, double value, double w) {
-      meanRow += w * row;
-      mean += w * value;
-      total += w;
-    });
+    for (std::size_t i = 0; i < arc.inside.size(); ++i) {
+      const double off = wrapped(arc.angleRad[i] - toLaser);
+      if (arc.inside[i] == 0 || std::abs(off) > 0.45 * kHalfTurn || (arc.line->points[i].flags & kSaturated) != 0)
+        continue;
+      const PinLight there = pinLight(scene, arc.angleRad[i]);
+      Row row;
+      row << std::tan(off) * turning * (there.own / there.all), there.others / there.all;
+      rows.emplace_back(row, arc.lightMisfit[i]);
+      weights.push_back(arc.weight[i]);
+      meanRow += arc.weight[i] * row;
+      mean += arc.weight[i] * arc.lightMisfit[i];
+      total += arc.weight[i];
+    }
     if (!(total > 6)) continue;
-    visit([&](const Point2& row, double value, double w) {
-      const double off = value - mean / total;
-      if (std::abs(off) < kLargestLightMisfit) sums.add(row - meanRow / total, off, w / arc.correlatedPoints);
-    });
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const double off = rows[k].second - mean / total;
+      if (std::abs(off) < kLargestLightMisfit)
+        sums.add(rows[k].first - meanRow / total, off, weights[k] / arc.correlatedPoints);
+    }
   }
-  if (!(sums.weight > 10)) return;
-  constexpr double kKnownMm = 60, kLongestStepMm = 60;
+  if (!(sums.weight > 20)) return;
+  const Row known(60, 60, 0.03);  // mm, mm, share
+  const Row now(0, 0, light.otherShare);
   const double variance = std::max(1e-4, sums.square / sums.weight);
-  const Eigen::Matrix2d information =
-      sums.normal / variance + Eigen::Matrix2d::Identity() / (kKnownMm * kKnownMm);
-  Point2 step = information.inverse() * sums.right / variance;
-  if (step.norm() > kLongestStepMm) step *= kLongestStepMm / step.norm();
-  light.laserMm += step;
+  const Row perKnown2 = known.cwiseAbs2().cwiseInverse();
+  Eigen::Matrix3d information = sums.normal / variance;
+  information.diagonal() += perKnown2;
+  const Row change = information.ldlt().solve(sums.right / variance - perKnown2.cwiseProduct(now));
+  constexpr double kLongestStepMm = 60, kLargestShare = 0.2;
+  light.laserMm += change.head<2>() * std::min(1.0, kLongestStepMm / std::max(change.head<2>().norm(), 1e-9));
+  light.otherShare = std::clamp(light.otherShare + change[2], 0.0, kLargestShare);
 }
 
 }  // namespace
@@ -272,7 +303,7 @@ void refineLights(const RigState& state, const std::vector<ArcObservation>& arcs
                   std::array<CameraLight, kCameraCount>& lights) {
   for (int camera = 0; camera < kCameraCount; ++camera) {
     refineWidths(arcs, camera, lights[static_cast<std::size_t>(camera)]);
-    refineLaser(state, arcs, camera, lights[static_cast<std::size_t>(camera)]);
+    refineFall(state, arcs, camera, lights[static_cast<std::size_t>(camera)]);
   }
 }
 

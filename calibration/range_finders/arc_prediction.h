@@ -26,6 +26,8 @@ struct CameraLight {
   Eigen::Vector3d blurPx2{0.25, 0, 0};
   double thicknessMm2 = 0.1225;  ///< variance of the sheet
   Point2 laserMm{0, 0};
+  std::array<Point2, kCameraCount - 1> othersMm{};  ///< the other lasers
+  double otherShare = 0.03;  ///< of their light, that comes through the filter
   double noise = 1;      ///< of the ridge's points, in their own standard uncertainties
   double uBlurPx2 = 0, uThicknessMm2 = 0;  ///< standard uncertainties, as far as the widths of the lines tell
 
@@ -39,7 +41,8 @@ struct ArcObservation {
   const PinArc* line = nullptr;
   std::string rejected;  ///< why it is of no use
   // For each of the line's points:
-  std::vector<char> inside;          ///< not too close to an end of the light
+  std::vector<char> inside;          ///< neither too close to an end of the light nor too dark
+  std::vector<char> shown;           ///< a little more of the line, for what is shown and measured of each pin
   std::vector<double> pullMm;        ///< of the ridge, outwards (so mostly < 0)
   std::vector<double> mmPerPx;       ///< along the normal
   std::vector<double> sigmaPx;       ///< standard uncertainty by the picture's noise

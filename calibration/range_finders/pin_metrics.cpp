@@ -19,13 +19,13 @@ void measureCircle(const ArcObservation& arc, const Pin& stated, const Transform
   std::vector<double> sigma;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t i = 0; i < arc.inside.size(); ++i)
-    if (arc.inside[i] != 0 && arc.weight[i] > 0) {
+    if (arc.shown[i] != 0 && arc.weight[i] > 0) {
       sigma.push_back(arc.sigmaPx[i] * arc.mmPerPx[i]);
       low = std::min(low, arc.angleRad[i]);
       high = std::max(high, arc.angleRad[i]);
     }
   view.cdMm = view.rdMm = view.pdMm = view.pdNominalMm = std::nan("");
-  if (!(high - low > (std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : kLeastMetricArcDeg) * kDegree)) return;
+  if (!(high - low > kLeastMetricArcDeg * kDegree)) return;
   const auto circle = fitCircle(view.pointsInWorld, sigma);
   if (!circle) return;
   const Point2 centre = worldFromPlate * stated.centreMm;
@@ -59,14 +59,14 @@ std::vector<PinView> pinViews(const ArcAdjustment& adjustment, const RigInputs& 
     view.reason = arc.rejected;
     view.arcDeg = arc.arcRad / kDegree;
     for (std::size_t i = 0; i < arc.inside.size(); ++i) {
-      if (arc.inside[i] == 0 || !(arc.weight[i] > 0)) continue;
+      if (arc.shown[i] == 0 || !(arc.weight[i] > 0)) continue;
       const ArcPoint& point = arc.line->points[i];
       const PlanePoint p = maps[static_cast<std::size_t>(arc.camera)](point.px.x(), point.px.y());
       const Point2 at(p.x, p.y);
       view.pointsInWorld.push_back(at - arc.pullMm[i] * (at - centre).normalized());
       view.residualPx.push_back(arc.residualPx[i]);
     }
-    view.points = static_cast<int>(view.pointsInWorld.size());
+    view.points = arc.pointsUsed();
     measureCircle(arc, stated, placed, view);
   }
   return views;

@@ -9,9 +9,9 @@
 
 namespace vignole {
 
-/// An arc shorter than that, without what is left out at its ends, says little of a circle whose radius is free: its
-/// pin is used for the adjustment but not for CD, RD and PD.
-inline constexpr double kLeastMetricArcDeg = 60;
+/// Less than a quarter of a circle says little of its radius and centre: such a pin is used for the adjustment but has no
+/// CD, RD and PD.
+inline constexpr double kLeastMetricArcDeg = 90;
 
 /// One view an arc, whether used or not. World: that of the adjustment.
 [[nodiscard]] std::vector<PinView> pinViews(const ArcAdjustment& adjustment, const RigInputs& inputs);

@@ -39,7 +39,8 @@ struct RigInputs {
 struct RigAdjustmentSettings {
   RigMethod method = RigMethod::Joint;
   IntrinsicsUse intrinsics = IntrinsicsUse::Decide;
-  double endMarginSigmas = 2.5;  ///< points closer to an end of the light are left out, in sigmas of the smoothed light
+  double endMarginSigmas = 2;    ///< points closer to an end of the light are left out, in sigmas of the smoothed light
+  double leastLight = 0.3;       ///< of an arc's brightest: darker points, at grazing angles, are left out
   double outlierSigmas = 3;      ///< residuals count less from here on, and not at all from twice that
   int maxRounds = 6;             ///< of the pull of bends predicted, and solved with
   int fewestPins = 6;            ///< in a picture

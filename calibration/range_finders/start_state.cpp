@@ -85,6 +85,14 @@ RigStart startState(const RigInputs& inputs, std::span<const int> cameras, std::
   }
   Point2 middle(0, 0);
   for (const Pin& pin : inputs.plate.pins) middle += pin.centreMm / static_cast<double>(inputs.plate.pins.size());
+  // A laser stands beside its camera, as seen along the rail; what is drawn serves for cameras that are not known.
+  std::array<Point2, kCameraCount> lasers;
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    const Extrinsics& pose = known[c] ? start.state.finders[c].cameraFromWorld
+                                      : nominalRig().rangeFinders[c].cameraFromWorld;
+    const Point2 towards = cameraCentre(pose).head<2>() - middle;
+    lasers[c] = middle + kLaserMm * towards.normalized();
+  }
   for (const int c : cameras) {
     const auto camera = static_cast<std::size_t>(c);
     (known[camera] ? result.cameras : result.unconnected).push_back(c);
@@ -94,9 +102,9 @@ RigStart startState(const RigInputs& inputs, std::span<const int> cameras, std::
     CameraLight& light = start.lights[camera];
     light.blurPx2 = {kBlurPx2, 0, 0};
     light.thicknessMm2 = kSheetMm2;
-    // A laser stands beside its camera, as seen along the rail.
-    const Point2 towards = cameraCentre(finder.cameraFromWorld).head<2>() - middle;
-    if (towards.norm() > 0) light.laserMm = middle + kLaserMm * towards.normalized();
+    light.laserMm = lasers[camera];
+    for (std::size_t k = 0, other = 0; k < kCameraCount; ++k)
+      if (k != camera) light.othersMm[other++] = lasers[k];
   }
   return result;
 }
