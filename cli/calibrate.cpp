@@ -11,9 +11,12 @@ namespace vignole::cli {
 void addCalibrate(CLI::App& app, int& exitCode) {
   CLI::App* calibrate = app.add_subcommand("calibrate", "Cameras, range finders, encoder: calibrated and assessed");
   calibrate->require_subcommand(1);
-  addCalibrateAssess(*calibrate, exitCode);
-  addCalibrateEncoder(*calibrate, exitCode);
+  addCalibrateIntrinsics(*calibrate, exitCode);
+  addCalibrateConvert(*calibrate, exitCode);
   addCalibrateExposure(*calibrate, exitCode);
+  addCalibrateRig(*calibrate, exitCode);
+  addCalibrateEncoder(*calibrate, exitCode);
+  addCalibrateAssess(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli

@@ -8,6 +8,7 @@ class App;
 namespace vignole::cli {
 
 void addCalibrateIntrinsics(CLI::App& calibrate, int& exitCode);
+void addCalibrateConvert(CLI::App& calibrate, int& exitCode);
 void addCalibrateLightPlane(CLI::App& calibrate, int& exitCode);
 void addCalibrateRig(CLI::App& calibrate, int& exitCode);
 void addCalibrateEncoder(CLI::App& calibrate, int& exitCode);

@@ -23,7 +23,7 @@ struct RailOptions {
   int frames = 1;
   std::uint64_t first = 0, seed = 1;
   std::optional<std::uint64_t> rigSeed;
-  double spacingMm = 15, speedMPerS = 1, temperatureC = 20;
+  double spacingMm = 15, speedMPerS = 1, exposureMs = 15, temperatureC = 20;
   std::vector<std::string> effects, deviations, faults;
   bool quiet = false;
 };
@@ -38,6 +38,7 @@ Expected<VirtualRigSettings> readSettings(const RailOptions& options) {
   settings.rigSeed = options.rigSeed;
   settings.spacingMm = options.spacingMm;
   settings.speedMmPerS = options.speedMPerS * 1000;
+  settings.exposureMs = options.exposureMs;
   settings.temperatureC = options.temperatureC;
   if (auto applied = applyWords(settings, options.effects, options.deviations, options.faults); !applied)
     return tl::unexpected<Error>(applied.error());
@@ -79,6 +80,7 @@ int simulateRail(const RailOptions& options) {
   truth["section"] = (*rig)->settings().section.name;
   truth["seed"] = options.seed;
   truth["rig_seed"] = options.rigSeed.value_or(options.seed);
+  truth["exposure_ms"] = options.exposureMs;
   truth["temperature_c"] = options.temperatureC;
   truth["reference_temperature_c"] = 15;
   for (const auto& [effect, value] : list((*rig)->settings().effects)) truth["effects"][effect] = value;
@@ -122,6 +124,9 @@ void addSimulateRail(CLI::App& simulate, int& exitCode) {
   rail->add_option("--rig-seed", options->rigSeed, "Draws the rig: cameras and lasers (default: the seed)");
   rail->add_option("--spacing", options->spacingMm, "Travel between triggers, mm");
   rail->add_option("--speed", options->speedMPerS, "Speed of the rail, m/s");
+  rail->add_option("--exposure", options->exposureMs,
+                   "ms: light and ambient follow it, and the blur of what moves meanwhile (at most until the next "
+                   "trigger)");
   rail->add_option("--temperature", options->temperatureC, "Temperature of the rail, degrees C");
   rail->add_option("--effect", options->effects,
                    "NAME=on|off|VALUE: read-noise, shot-noise, speckle, scale, reflections, crosstalk, ambient, "

@@ -47,8 +47,9 @@ Expected<SimulatedTarget> makeTarget(const TargetOptions& options, const RangeFi
   auto made = VirtualTarget::create(settings);
   if (!made) return tl::unexpected<Error>(made.error());
   const std::uint64_t poses = simulator::hash(seed, simulator::Stream::View, {static_cast<std::uint64_t>(cameraIndex)});
-  return SimulatedTarget{*std::move(made), camera, usualViews(*target, camera.intrinsics, options.views, poses),
-                         options.laser};
+  return SimulatedTarget{
+      *std::move(made), camera,
+      usualViews(*target, camera.intrinsics, options.views, poses, options.laser ? &camera : nullptr), options.laser};
 }
 
 std::string viewName(std::size_t view, bool laser) {
@@ -138,7 +139,8 @@ void addSimulateTarget(CLI::App& simulate, int& exitCode) {
   command->add_option("--out", options->out, "Folder for the pictures and the truth")->required();
   addTargetOptions(*command, options->target);
   command->add_option("--camera", options->camera, "Camera of the rig")->check(CLI::Range(1, kCameraCount));
-  command->add_flag("--laser", options->target.laser, "Each view once more, with the laser on and the lamp dimmed");
+  command->add_flag("--laser", options->target.laser,
+                    "Each view once more, with the laser on and the lamp dimmed; the target is held into the light");
   command->add_flag("--mirror", options->target.mirror, "The target is printed as its mirror image");
   command->add_option("--effect", options->target.effects,
                       "NAME=on|off|VALUE: read-noise, shot-noise, defocus, speckle (of the laser), all");

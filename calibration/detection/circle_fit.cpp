@@ -15,6 +15,7 @@ namespace {
 enum Parameter { kX, kY, kL1, kL2, kL3, kBlur, kOutside, kContrast, kSlopeX, kSlopeY, kParameters };
 using Vector = Eigen::Matrix<double, kParameters, 1>;
 
+constexpr double kHopeless = 0.25;    // of the contrast: no such shape
 constexpr int kRounds = 4;            // the band of pixels follows the ellipse
 constexpr double kFirstPixels = 300;  // are enough for the first round, whose start is rough
 constexpr std::uint8_t kClipped = 254;
@@ -31,9 +32,8 @@ class EdgeModel {
     const double gx = p_[kL1] * u / radius, gy = (p_[kL2] * u + p_[kL3] * v) / radius;
     const double perPx = std::max(std::sqrt(gx * gx + gy * gy), 1e-9);
     const double distance = (radius - 1) / perPx;
-    const double z = distance / blur_.px();
-    const double inside = 0.5 * std::erfc(z * std::numbers::sqrt2 / 2);
-    const double density = std::exp(-0.5 * z * z) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2) / blur_.px();
+    const NormalStep step = normalStep(-distance / blur_.px());
+    const double inside = step.value, density = step.density / blur_.px();
     const double light = 1 + p_[kSlopeX] * x + p_[kSlopeY] * y;
     const double grey = p_[kOutside] + p_[kContrast] * inside;
     // Outwards by one pixel the inside loses `density`; that the gradient itself changes matters only off the edge.
@@ -154,6 +154,7 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
         [](Vector& at) { at[kBlur] = EdgeBlur::held(at[kBlur]); }, round == 0 ? PatchEffort::Rough : PatchEffort::Full);
     if (!fit.converged || !fit.parameters.allFinite()) return std::nullopt;
     p = fit.parameters;
+    if (fit.rmsDn > kHopeless * std::abs(p[kContrast]) + 3 * fit.noiseDn) return std::nullopt;
     const Ellipse last = result.ellipse;
     result.ellipse.centrePx = origin + Point2(p[kX], p[kY]);
     result.ellipse.toUnitCircle << p[kL1], p[kL2], 0, p[kL3];
@@ -164,12 +165,13 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
     const double radius = std::sqrt(start.areaPx() / std::numbers::pi);
     if ((result.ellipse.centrePx - origin).norm() > 0.5 * radius + 1) return std::nullopt;
     const double width = 3 * result.blurPx + 1.5;
-    const bool settled =
-        round > 0 && (result.ellipse.centrePx - last.centrePx).norm() < 0.02 && std::abs(width - halfWidth) < 0.5;
+    const bool settled = round > 0 && (result.ellipse.centrePx - last.centrePx).norm() < 0.02 &&
+                         std::abs(width - halfWidth) < 0.1 * halfWidth;
     halfWidth = width;
     if (settled) break;
   }
   result.contrastDn = p[kContrast];
+  result.groundDn = p[kOutside];
   result.noiseDn = fit.noiseDn;
   result.rmsDn = fit.rmsDn;
   result.uPx = std::sqrt(0.5 * (fit.covariance(kX, kX) + fit.covariance(kY, kY)));

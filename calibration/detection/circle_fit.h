@@ -25,6 +25,7 @@ struct CircleFit {
   double uPx = 0;             ///< of each coordinate of the centre
   double blurPx = 0;          ///< standard deviation of the edge's blur, the pixel's own width included
   double contrastDn = 0;      ///< inside less outside
+  double groundDn = 0;        ///< outside
   double noiseDn = 0;         ///< standard deviation of the residuals
   double rmsDn = 0;           ///< of all residuals, outliers too
   double saturatedShare = 0;  ///< of the pixels about the edge

@@ -23,6 +23,7 @@ struct CornerFit {
   double uPx = 0;         ///< of each coordinate
   double blurPx = 0;      ///< standard deviation of the edges' blur, the pixel's own width included
   double contrastDn = 0;  ///< bright less dark
+  double groundDn = 0;    ///< mean of bright and dark
   double noiseDn = 0;     ///< standard deviation of the residuals
   double rmsDn = 0;       ///< of all residuals, outliers too
   double saturatedShare = 0;

@@ -7,20 +7,23 @@
 namespace vignole {
 namespace {
 
-struct Box {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
+PlaceBox boxUnder(const Placing& placing, const std::vector<LatticePlace>& lattice) {
+  std::vector<LatticePlace> all;
+  all.reserve(lattice.size());
+  for (const LatticePlace& place : lattice) all.push_back(placed(place, placing));
+  return boxOf(all);
+}
 
-Box boxOf(const std::vector<LatticePlace>& lattice, const Placing& placing, TargetPattern pattern) {
-  Box box;
-  bool first = true;
-  for (const LatticePlace& place : lattice) {
-    const auto [x, y] = placed(place, placing, pattern);
-    box.x0 = first ? x : std::min(box.x0, x);
-    box.x1 = first ? x : std::max(box.x1, x);
-    box.y0 = first ? y : std::min(box.y0, y);
-    box.y1 = first ? y : std::max(box.y1, y);
-    first = false;
+}  // namespace
+
+PlaceBox boxOf(const std::vector<LatticePlace>& lattice) {
+  if (lattice.empty()) return {};
+  PlaceBox box{lattice.front().first, lattice.front().second, lattice.front().first, lattice.front().second};
+  for (const auto& [x, y] : lattice) {
+    box.x0 = std::min(box.x0, x);
+    box.x1 = std::max(box.x1, x);
+    box.y0 = std::min(box.y0, y);
+    box.y1 = std::max(box.y1, y);
   }
   return box;
 }
@@ -29,16 +32,13 @@ int widthOf(const PlanarTarget& target) {
   return target.pattern == TargetPattern::AsymmetricCircles ? 2 * target.columns : target.columns;
 }
 
-}  // namespace
+LatticePlace alongRows(const LatticePlace& place, TargetPattern pattern) {
+  if (pattern != TargetPattern::AsymmetricCircles) return place;
+  return {place.first - place.second, place.first + place.second};
+}
 
-LatticePlace placed(const LatticePlace& place, const Placing& placing, TargetPattern pattern) {
-  int x = place.first, y = place.second;
-  // The nearest neighbours of asymmetric circles stand diagonally.
-  if (pattern == TargetPattern::AsymmetricCircles) {
-    const int u = x, v = y;
-    x = u - v;
-    y = u + v;
-  }
+LatticePlace placed(const LatticePlace& place, const Placing& placing) {
+  auto [x, y] = place;
   if (placing.mirrored) x = -x;
   for (int turn = 0; turn < placing.quarterTurns; ++turn) {
     const int old = x;
@@ -59,13 +59,13 @@ std::vector<Placing> placings(const std::vector<LatticePlace>& lattice, const Pl
   std::vector<Placing> all;
   for (int turns = 0; turns < 4; ++turns) {
     Placing placing{turns, mirrored, 0, 0};
-    const Box box = boxOf(lattice, placing, target.pattern);
+    const PlaceBox box = boxUnder(placing, lattice);
     for (int y = -box.y0; y + box.y1 < target.rows; ++y)
       for (int x = -box.x0; x + box.x1 < widthOf(target); ++x) {
         placing.shiftX = x;
         placing.shiftY = y;
         const bool fits = std::all_of(lattice.begin(), lattice.end(), [&](const LatticePlace& place) {
-          return indexOf(placed(place, placing, target.pattern), target) >= 0;
+          return indexOf(placed(place, placing), target) >= 0;
         });
         if (fits) all.push_back(placing);
       }
@@ -77,7 +77,7 @@ std::array<int, 2> sizeOf(const std::vector<LatticePlace>& lattice, const Planar
   std::array<int, 2> best{0, 0};
   int bestOff = -1;
   for (int turns = 0; turns < 2; ++turns) {
-    const Box box = boxOf(lattice, {turns, false, 0, 0}, target.pattern);
+    const PlaceBox box = boxUnder({turns, false, 0, 0}, lattice);
     int columns = box.x1 - box.x0 + 1;
     const int rows = box.y1 - box.y0 + 1;
     if (target.pattern == TargetPattern::AsymmetricCircles) columns = (columns + 1) / 2;

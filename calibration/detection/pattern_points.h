@@ -19,6 +19,7 @@ struct PatternPoint {
   Point2 px{0, 0};
   double uPx = 0, blurPx = 0;
   double contrastDn = 0;  ///< dots: inside less outside; corners: bright less dark
+  double groundDn = 0;    ///< dots: outside; corners: the mean of bright and dark
   double noiseDn = 0, rmsDn = 0, saturatedShare = 0;
   Ellipse ellipse;  ///< of a dot
   Corner corner;    ///< of squares

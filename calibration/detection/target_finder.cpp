@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "calibration/detection/target_border.h"
 #include "calibration/detection/target_search.h"
 
 namespace vignole {
@@ -16,6 +17,7 @@ namespace {
 constexpr double kClippedPoint = 0.15;  // of a point's pixels: it lies in clipped light
 constexpr double kMostClipped = 0.3;    // of the points
 constexpr double kStrayShare = 0.15;    // of a row's points: fewer are strays
+constexpr double kMostU = 1;            // px; what is known no better helps nobody
 constexpr std::size_t kLeastLeft = 6;
 
 template <typename... Values>
@@ -71,10 +73,12 @@ struct Steps {
   std::vector<double> shortest, obliqueDeg;
 };
 
-Steps stepsOf(const FittedLattice& lattice) {
+Steps stepsOf(const FittedLattice& lattice, TargetPattern pattern) {
   Steps all;
+  const LatticePlace stepU = alongRows({1, 0}, pattern), stepV = alongRows({0, 1}, pattern);
   for (const auto& [place, point] : lattice) {
-    const auto u = lattice.find({place.first + 1, place.second}), v = lattice.find({place.first, place.second + 1});
+    const auto u = lattice.find({place.first + stepU.first, place.second + stepU.second});
+    const auto v = lattice.find({place.first + stepV.first, place.second + stepV.second});
     if (u == lattice.end() || v == lattice.end()) continue;
     Eigen::Matrix2d j;
     j << u->second.px - point.px, v->second.px - point.px;
@@ -88,7 +92,7 @@ Steps stepsOf(const FittedLattice& lattice) {
   return all;
 }
 
-void measure(const FittedLattice& lattice, TargetView& view) {
+void measure(const FittedLattice& lattice, const PlanarTarget& target, TargetView& view) {
   std::vector<double> blurs;
   std::size_t clipped = 0;
   for (const auto& [place, point] : lattice) {
@@ -97,7 +101,7 @@ void measure(const FittedLattice& lattice, TargetView& view) {
   }
   view.blurPx = medianOf(std::move(blurs));
   view.saturatedShare = static_cast<double>(clipped) / static_cast<double>(lattice.size());
-  Steps steps = stepsOf(lattice);
+  Steps steps = stepsOf(lattice, target.pattern);
   view.pitchPx = medianOf(std::move(steps.shortest));
   view.obliqueDeg = medianOf(std::move(steps.obliqueDeg));
 }
@@ -124,7 +128,7 @@ void trim(FittedLattice& lattice, const PlanarTarget& target) {
   while (!lattice.empty() && placings(placesOf(lattice), target, false).empty()) {
     std::map<int, std::size_t> columns, rows;
     for (const auto& [place, point] : lattice) {
-      const auto [x, y] = placed(place, {}, target.pattern);
+      const auto [x, y] = place;
       ++columns[x];
       ++rows[y];
     }
@@ -148,32 +152,31 @@ void trim(FittedLattice& lattice, const PlanarTarget& target) {
         *std::min_element(outer.begin(), outer.end(), [](const Line& a, const Line& b) { return a.share < b.share; });
     if (thinnest.share > kStrayShare) return;
     std::erase_if(lattice, [&](const auto& item) {
-      const auto [x, y] = placed(item.first, {}, target.pattern);
+      const auto [x, y] = item.first;
       return (thinnest.column ? x : y) == thinnest.at;
     });
   }
 }
 
 /// Direction in which the target's columns run in the picture.
-Point2 alongX(const FittedLattice& lattice, const Placing& placing, TargetPattern pattern) {
+Point2 alongX(const FittedLattice& lattice, const Placing& placing) {
   Point2 centre(0, 0), sum(0, 0);
   double middle = 0;
   const auto n = static_cast<double>(lattice.size());
   for (const auto& [place, point] : lattice) {
     centre += point.px / n;
-    middle += placed(place, placing, pattern).first / n;
+    middle += placed(place, placing).first / n;
   }
-  for (const auto& [place, point] : lattice)
-    sum += (placed(place, placing, pattern).first - middle) * (point.px - centre);
+  for (const auto& [place, point] : lattice) sum += (placed(place, placing).first - middle) * (point.px - centre);
   return sum.normalized();
 }
 
 /// Whether the square before point 0, to its left and above, is dark.
 bool darkBefore(const FittedLattice& lattice, const Placing& placing) {
   int votes = 0;
-  const Point2 x = alongX(lattice, placing, TargetPattern::Chessboard), y(-x.y(), x.x());
+  const Point2 x = alongX(lattice, placing), y(-x.y(), x.x());
   for (const auto& [place, point] : lattice) {
-    const auto [column, row] = placed(place, placing, TargetPattern::Chessboard);
+    const auto [column, row] = placed(place, placing);
     const Point2 before = -(x + y);
     double ahead = std::fmod(std::atan2(before.y(), before.x()) - point.corner.angle1, std::numbers::pi);
     if (ahead < 0) ahead += std::numbers::pi;
@@ -191,7 +194,7 @@ Placing chosen(const FittedLattice& lattice, std::vector<Placing> all, const Pla
       std::any_of(all.begin(), all.end(), [&](const Placing& p) { return darkBefore(lattice, p); }))
     std::erase_if(all, [&](const Placing& p) { return !darkBefore(lattice, p); });
   return *std::max_element(all.begin(), all.end(), [&](const Placing& a, const Placing& b) {
-    return alongX(lattice, a, target.pattern).x() < alongX(lattice, b, target.pattern).x();
+    return alongX(lattice, a).x() < alongX(lattice, b).x();
   });
 }
 
@@ -205,37 +208,124 @@ std::string wrongSize(const FittedLattice& lattice, const PlanarTarget& target) 
 
 void label(const FittedLattice& lattice, const Placing& placing, const PlanarTarget& target, TargetView& view) {
   for (const auto& [place, point] : lattice)
-    if (point.saturatedShare <= kClippedPoint)
-      view.points.push_back({indexOf(placed(place, placing, target.pattern), target), point.px, point.uPx});
+    if (point.saturatedShare <= kClippedPoint && point.uPx < kMostU)
+      view.points.push_back({indexOf(placed(place, placing), target), point.px, point.uPx});
   std::sort(view.points.begin(), view.points.end(),
             [](const FoundPoint& a, const FoundPoint& b) { return a.index < b.index; });
   view.partial = view.points.size() < static_cast<std::size_t>(target.columns) * static_cast<std::size_t>(target.rows);
 }
 
+/// Turns that leave more than one place open, or none.
+bool decided(const std::vector<Placing>& all) {
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i].quarterTurns == all[i - 1].quarterTurns) return false;
+  return !all.empty();
+}
+
+/// Leaves out placings that would have points of the target beyond a side where the picture shows no place for them.
+void keepWithinBorders(const FittedLattice& lattice, const PlanarTarget& target, const BorderSides& sides,
+                       std::vector<Placing>& all) {
+  const PlaceBox box = boxOf(placesOf(lattice));
+  std::erase_if(all, [&](const Placing& placing) {
+    const LatticePlace a = placed({box.x0, box.y0}, placing), b = placed({box.x1, box.y1}, placing);
+    const auto inner = [&](const LatticePlace& outwards) {
+      // The lattice's outer line on that side, in the target.
+      const LatticePlace there = placed(outwards, {placing.quarterTurns, placing.mirrored, 0, 0});
+      if (there.first < 0) return std::min(a.first, b.first) > 0;
+      if (there.first > 0) return std::max(a.first, b.first) < widthOf(target) - 1;
+      if (there.second < 0) return std::min(a.second, b.second) > 0;
+      return std::max(a.second, b.second) < target.rows - 1;
+    };
+    return (sides.left != Beyond::Outside && inner({-1, 0})) || (sides.right != Beyond::Outside && inner({1, 0})) ||
+           (sides.top != Beyond::Outside && inner({0, -1})) || (sides.bottom != Beyond::Outside && inner({0, 1}));
+  });
+}
+
+/// A plain grid of circles has none.
+bool frameSeen(const BorderSides& sides) {
+  int seen = 0;
+  for (const Beyond side : {sides.left, sides.right, sides.top, sides.bottom}) seen += side == Beyond::Margin ? 1 : 0;
+  return seen >= 2;
+}
+
+/// Whether the filled corner of the frame is where the placing has point 0. An unseen corner speaks neither for nor
+/// against; three open ones leave only the fourth.
+bool frameAgrees(const ImageView& image, const FittedLattice& lattice, const PlanarTarget& target,
+                 const Placing& placing) {
+  const PlaceBox box = boxOf(placesOf(lattice));
+  std::size_t open = 0;
+  bool filled = false;
+  for (const int sideX : {-1, 1})
+    for (const int sideY : {-1, 1}) {
+      const LatticePlace corner = placed({sideX < 0 ? box.x0 : box.x1, sideY < 0 ? box.y0 : box.y1}, placing);
+      const bool first = corner == LatticePlace(0, 0);
+      const bool ofTarget = (corner.first == 0 || corner.first == target.columns - 1) &&
+                            (corner.second == 0 || corner.second == target.rows - 1);
+      const FrameCorner seen = ofTarget ? frameCorner(image, lattice, sideX, sideY) : FrameCorner::Unseen;
+      if (seen == FrameCorner::Filled && !first) return false;
+      if (seen == FrameCorner::Open && first) return false;
+      open += seen == FrameCorner::Open ? 1 : 0;
+      filled = filled || seen == FrameCorner::Filled;
+    }
+  return filled || open == 3;
+}
+
+/// The placings that are left, or the reason why there are none.
+std::vector<Placing> placingsOf(const ImageView& image, const FittedLattice& lattice, const PlanarTarget& target,
+                                std::string& refusal) {
+  constexpr const char* kMirrored =
+      "mirrored: the target is seen in a mirror, or the picture is flipped; take it directly";
+  const std::vector<LatticePlace> places = placesOf(lattice);
+  const BorderSides sides = borderSides(image, lattice, target);
+  const auto allOf = [&](bool mirrored) {
+    std::vector<Placing> all = placings(places, target, mirrored);
+    if (!decided(all)) keepWithinBorders(lattice, target, sides, all);
+    return all;
+  };
+  std::vector<Placing> all = allOf(false);
+  if (target.pattern == TargetPattern::DotPlate && !all.empty() && !frameSeen(sides)) {
+    refusal = "no frame is seen around the dots; show it on two sides at least, or state the pattern circles";
+    return {};
+  }
+  if (target.pattern == TargetPattern::DotPlate) {
+    const auto disagrees = [&](const Placing& p) { return !frameAgrees(image, lattice, target, p); };
+    const bool any = !all.empty();
+    std::erase_if(all, disagrees);
+    if (all.empty() && any) {
+      std::vector<Placing> mirrored = allOf(true);
+      std::erase_if(mirrored, disagrees);
+      refusal = mirrored.empty() ? "the frame's filled corner is not seen, so that it cannot be told which dot is "
+                                   "which; show it, or state the pattern circles"
+                                 : kMirrored;
+      return {};
+    }
+  }
+  if (decided(all)) return all;
+  if (all.empty() && !placings(places, target, true).empty() && placings(places, target, false).empty())
+    refusal = kMirrored;
+  else
+    refusal = wrongSize(lattice, target);
+  return {};
+}
+
 void find(const ImageView& image, const PlanarTarget& target, const TargetFinderSettings& settings, TargetView& view) {
-  FittedLattice lattice = searchLattice(image, target);
+  FittedLattice lattice;
+  for (const auto& [place, point] : searchLattice(image, target)) lattice[alongRows(place, target.pattern)] = point;
   if (lattice.empty()) {
     view.refusal = notFound(image, target);
     return;
   }
-  measure(lattice, view);
+  measure(lattice, target, view);
   view.refusal = poorQuality(view, settings);
   if (!view.usable()) return;
   trim(lattice, target);
-  const auto all = placings(placesOf(lattice), target, false);
-  if (all.empty()) {
-    view.refusal = placings(placesOf(lattice), target, true).empty()
-                       ? wrongSize(lattice, target)
-                       : "mirrored: the target is seen in a mirror or the picture is flipped; take it directly";
-    return;
-  }
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i].quarterTurns == all[i - 1].quarterTurns) {
-      view.refusal = wrongSize(lattice, target);
-      return;
-    }
+  const std::vector<Placing> all = placingsOf(image, lattice, target, view.refusal);
+  if (!view.usable()) return;
   label(lattice, chosen(lattice, all, target), target, view);
-  if (view.points.size() < kLeastLeft) view.refusal = notFound(image, target);
+  if (view.points.size() < kLeastLeft) {
+    view.points.clear();
+    view.refusal = notFound(image, target);
+  }
 }
 
 }  // namespace

@@ -3,12 +3,38 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "calibration/intrinsics/target_errors.h"
+
 namespace vignole {
+
+namespace {
+
+/// Units differ by orders of magnitude, so it is inverted with about ones on its diagonal: divided by the square roots
+/// of `diagonal`. Directions without information get next to none.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& diagonal) {
+  constexpr double kNothing = 1e-15;
+  const Eigen::VectorXd scale = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
+  const Eigen::VectorXd inverted = solver.eigenvalues().cwiseMax(kNothing).cwiseInverse();
+  return scale.asDiagonal() * solver.eigenvectors() * inverted.asDiagonal() * solver.eigenvectors().transpose() *
+         scale.asDiagonal();
+}
+
+}  // namespace
 
 Information::Information(const LensVariant& variant, std::size_t freePoints) {
   for (const CameraParameter p : freeParameters(variant)) free_.push_back(static_cast<int>(p));
-  const auto size = static_cast<Eigen::Index>(free_.size() + 2 * freePoints);
+  const auto size = static_cast<Eigen::Index>(free_.size() + 3 * freePoints);
   matrix_ = Eigen::MatrixXd::Zero(size, size);
+}
+
+Information::Information(const LensVariant& variant,
+                         const Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters>& covariance)
+    : Information(variant, 0) {
+  for (Eigen::Index i = 0; i < matrix_.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix_.cols(); ++j)
+      matrix_(i, j) = covariance(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(j)]);
+  matrix_ = inverse(matrix_, matrix_.diagonal());
 }
 
 void Information::add(const Intrinsics& in, const Extrinsics& cameraFromTarget,
@@ -27,40 +53,33 @@ void Information::add(const Intrinsics& in, const Extrinsics& cameraFromTarget,
     byPose.topRows(n) += weight * byFree.transpose() * r.byPose;
     pose += weight * r.byPose.transpose() * r.byPose;
     if (!pointsAreFree) continue;
-    const Eigen::Index at = n + 2 * o.point;
-    const Eigen::Matrix2d byPoint = r.byPoint.leftCols<2>();
-    matrix_.block<2, 2>(at, at) += weight * byPoint.transpose() * byPoint;
-    const Eigen::MatrixXd mixed = weight * byPoint.transpose() * byFree;
-    matrix_.block(at, 0, 2, n) += mixed;
-    matrix_.block(0, at, n, 2) += mixed.transpose();
-    byPose.middleRows<2>(at) += weight * byPoint.transpose() * r.byPose;
+    const Eigen::Index at = n + 3 * o.point;
+    matrix_.block<3, 3>(at, at) += weight * r.byPoint.transpose() * r.byPoint;
+    const Eigen::MatrixXd mixed = weight * r.byPoint.transpose() * byFree;
+    matrix_.block(at, 0, 3, n) += mixed;
+    matrix_.block(0, at, n, 3) += mixed.transpose();
+    byPose.middleRows<3>(at) += weight * r.byPoint.transpose() * r.byPose;
   }
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factor(pose);
   if (factor.info() == Eigen::Success && factor.isPositive()) matrix_ -= byPose * factor.solve(byPose.transpose());
 }
 
-void Information::addPointPriors(double sigmaMm) {
-  const auto n = static_cast<Eigen::Index>(free_.size());
-  matrix_.diagonal().tail(matrix_.rows() - n).array() += 1 / (sigmaMm * sigmaMm);
+void Information::add(const TargetPrior& prior) {
+  const Eigen::Vector3d weights = priorWeights(prior);
+  for (auto at = static_cast<Eigen::Index>(free_.size()); at < matrix_.rows(); at += 3)
+    matrix_.diagonal().segment<3>(at) += weights;
 }
 
 Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> Information::covariance() const {
   Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> covariance;
   covariance.setZero();
   const auto n = static_cast<Eigen::Index>(free_.size());
-  // Points first: they are many and well determined. Then the units, which differ by orders of magnitude.
   Eigen::MatrixXd reduced = matrix_.topLeftCorner(n, n);
   if (const Eigen::Index points = matrix_.rows() - n; points > 0) {
     const Eigen::LDLT<Eigen::MatrixXd> factor(matrix_.bottomRightCorner(points, points));
     reduced -= matrix_.topRightCorner(n, points) * factor.solve(matrix_.bottomLeftCorner(points, n));
   }
-  const Eigen::VectorXd scale =
-      matrix_.diagonal().head(n).unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * reduced * scale.asDiagonal());
-  constexpr double kNothing = 1e-15;  // of what a parameter would be known by if all others were
-  const Eigen::VectorXd inverse = solver.eigenvalues().cwiseMax(kNothing).cwiseInverse();
-  const Eigen::MatrixXd dense = scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() *
-                                solver.eigenvectors().transpose() * scale.asDiagonal();
+  const Eigen::MatrixXd dense = inverse(reduced, matrix_.diagonal().head(n));
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
       covariance(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(j)]) =
@@ -69,12 +88,11 @@ Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> Information::c
 }
 
 Information informationOf(const TargetObservations& observations, const LensVariant& variant, const TargetFit& fit,
-                          double pointSigmaMm) {
-  const bool free = pointSigmaMm > 0;
-  Information information(variant, free ? fit.points.size() : 0);
+                          const TargetPrior& prior) {
+  Information information(variant, prior.free() ? fit.points.size() : 0);
   for (std::size_t v = 0; v < observations.views.size(); ++v)
     information.add(fit.intrinsics, fit.cameraFromTarget[v], fit.points, observations.radiusMm, observations.views[v]);
-  if (free) information.addPointPriors(pointSigmaMm);
+  if (prior.free()) information.add(prior);
   return information;
 }
 

@@ -8,12 +8,15 @@ namespace vignole {
 
 class Information {
  public:
-  /// `freePoints`: the target's points are unknowns as well (x and y).
+  /// `freePoints`: so many points of the target are unknowns as well.
   Information(const LensVariant& variant, std::size_t freePoints);
+  /// Of the intrinsics alone, that leaves this covariance.
+  Information(const LensVariant& variant,
+              const Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters>& covariance);
   /// Points that the camera cannot see at the fit add nothing.
   void add(const Intrinsics& in, const Extrinsics& cameraFromTarget, const std::vector<Eigen::Vector3d>& points,
            double radiusMm, const ObservedView& view);
-  void addPointPriors(double sigmaMm);
+  void add(const TargetPrior& prior);
   /// Of the ten intrinsic parameters, zero where they are not estimated; what the views leave open gets a standard
   /// deviation that is absurdly large.
   [[nodiscard]] Eigen::Matrix<double, kIntrinsicParameters, kIntrinsicParameters> covariance() const;
@@ -24,6 +27,6 @@ class Information {
 };
 
 [[nodiscard]] Information informationOf(const TargetObservations& observations, const LensVariant& variant,
-                                        const TargetFit& fit, double pointSigmaMm);
+                                        const TargetFit& fit, const TargetPrior& prior);
 
 }  // namespace vignole

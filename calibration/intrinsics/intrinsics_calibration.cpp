@@ -9,7 +9,9 @@
 #include "calibration/intrinsics/intrinsics_verdict.h"
 #include "calibration/intrinsics/model_choice.h"
 #include "calibration/intrinsics/robust_fit.h"
+#include "calibration/intrinsics/target_decision.h"
 #include "calibration/intrinsics/target_errors.h"
+#include "calibration/intrinsics/target_turns.h"
 #include "calibration/intrinsics/view_selection.h"
 #include "calibration/parallel_for.h"
 
@@ -72,6 +74,7 @@ class Calibrating {
       reportViews(robust_.fit);
       return {};
     }
+    if (target.pattern != TargetPattern::DotPlate) countPointsAlike();  // that one has a mark
     if (auto done = decideTargetErrors(target.uMm); !done) return done;
     if (auto done = chooseModel(); !done) return done;
     finish();
@@ -98,54 +101,56 @@ class Calibrating {
     return all;
   }
 
-  [[nodiscard]] CrossValidationSettings validation(double pointSigmaMm) const {
-    return {settings_.folds, pointSigmaMm, settings_.standardErrors};
-  }
+  [[nodiscard]] CrossValidationSettings validation() const { return {settings_.folds, prior_, settings_.confidence}; }
 
   void takeObservations() {
     used_ = selected(corrected_, robust_.selection);
     weigh(used_, robust_.unexplainedPx);
   }
 
-  /// Stated uncertainties of the target's points are taken at their word; otherwise they are estimated where the views
-  /// agree that points are out of place and pictures not seen confirm it.
-  Expected<void> decideTargetErrors(double statedMm) {
+  void countPointsAlike() {
     takeObservations();
-    pointSigmaMm_ = statedMm;
-    if (statedMm <= 0) {
-      const double suspected = targetErrorMm(used_, robust_.fit);
-      if (suspected <= 0) return {};
-      job_.report(0.15, "is the target as stated?");
-      AdjustmentSettings free;
-      free.pointSigmaMm = suspected;
-      const std::vector<LensVariant> variant = {fullest()};
-      const std::vector<TargetFit> fixedFit = {robust_.fit}, freeFit = {adjust(used_, fullest(), robust_.fit, free)};
-      const auto asStated = crossValidate(used_, variant, fixedFit, validation(0), job_);
-      if (!asStated) return tl::unexpected<Error>(asStated.error());
-      const auto estimated = crossValidate(used_, variant, freeFit, validation(suspected), job_);
-      if (!estimated) return tl::unexpected<Error>(estimated.error());
-      const PairedDifference gain = difference(asStated->front(), estimated->front());
-      if (!(gain.mean > settings_.standardErrors * gain.standardError)) return {};
-      pointSigmaMm_ = suspected;
+    const std::vector<TargetTurn> turns = turnsOf(used_.points);
+    const std::vector<int> turned = turnedViews(used_, robust_.fit, turns);
+    for (std::size_t v = 0; v < turned.size(); ++v) {
+      if (turned[v] < 0) continue;
+      const TargetTurn& by = turns[static_cast<std::size_t>(turned[v])];
+      turn(by, taken_.observations.views[v]);
+      turn(by, corrected_.views[v]);
+      turn(by, robust_.fit.cameraFromTarget[v]);
     }
-    AdjustmentSettings free;
-    free.pointSigmaMm = pointSigmaMm_;
-    refine(corrected_, fullest(), free, settings_.outliers, robust_);
+  }
+
+  Expected<void> decideTargetErrors(double statedMm) {
+    job_.report(0.15, "is the target as stated?");
     takeObservations();
+    auto prior = decideTarget(used_, fullest(), robust_.fit, statedMm, validation(), job_);
+    if (!prior) return tl::unexpected<Error>(prior.error());
+    prior_ = *prior;
+    if (prior_.free()) {
+      AdjustmentSettings free;
+      free.target = prior_;
+      refine(corrected_, fullest(), free, settings_.outliers, robust_);
+      takeObservations();
+    }
+    // Errors that the finder does not know of are hardly those of single points.
+    constexpr double kExplained = 2;
+    const double perPoint = chi2OfFinder(robust_.fit) / degreesOfFreedom(fullest(), robust_.fit);
+    pointErrors_ = perPoint < kExplained ? PointErrors::Independent : PointErrors::Shared;
     return {};
   }
 
   Expected<std::vector<Candidate>> tried(const std::vector<LensVariant>& variants) {
     std::vector<TargetFit> fits(variants.size());
     AdjustmentSettings adjustment;
-    adjustment.pointSigmaMm = pointSigmaMm_;
+    adjustment.target = prior_;
     parallelFor(variants.size(), [&](std::size_t i) {
       TargetFit start = robust_.fit;
       start.intrinsics = asVariant(start.intrinsics, variants[i]);
       if (!variants[i].aspect) start.intrinsics.pixelHeightMm = taken_.like.pixelHeightMm;
       fits[i] = adjust(used_, variants[i], start, adjustment);
     });
-    auto heldOut = crossValidate(used_, variants, fits, validation(pointSigmaMm_), job_);
+    auto heldOut = crossValidate(used_, variants, fits, validation(), job_);
     if (!heldOut) return tl::unexpected<Error>(heldOut.error());
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -168,7 +173,7 @@ class Calibrating {
       variants.push_back(c.variant);
       heldOut.push_back(c.heldOut);
     }
-    return among[chooseSimplest(variants, heldOut, settings_.standardErrors)];
+    return among[chooseSimplest(variants, heldOut, pointErrors_, settings_.confidence)];
   }
 
   /// Distortion first, with the pixels' height free; then for the best of each family whether it has to be.
@@ -196,53 +201,63 @@ class Calibrating {
       best[i] = *simplest({(*squares)[i], best[i]});
       if (!settings_.model || *settings_.model == best[i].variant.model) choice.push_back(best[i]);
     }
-    result_.division = described(best[0]);
-    result_.polynomial = described(best[1]);
-    const Candidate chosen = *simplest(choice);
-    result_.variant = chosen.variant;
-    fit_ = chosen.fit;
+    result_.variant = simplest(choice)->variant;
+    settle(best[0], result_.division);
+    settle(best[1], result_.polynomial);
     return {};
   }
 
-  [[nodiscard]] double degreesOfFreedom() const {
-    double freedom = -static_cast<double>(freeParameters(result_.variant).size());
+  [[nodiscard]] double degreesOfFreedom(const LensVariant& variant, const TargetFit& fit) const {
+    double freedom = -static_cast<double>(freeParameters(variant).size());
     for (const ObservedView& view : used_.views)
       if (!view.empty()) freedom += 2 * static_cast<double>(view.size()) - 6;
-    return std::max(1.0, freedom - effectiveParameters(used_, fit_, pointSigmaMm_));
+    return std::max(1.0, freedom - effectiveParameters(used_, fit, prior_));
   }
 
-  /// The last adjustment, each point weighed by what the residuals say of it; covariance, figures, verdict.
+  /// The last adjustment of the best of a family: each point weighed by what the residuals of this model say of it.
+  void settle(Candidate& candidate, std::optional<VariantResult>& result) {
+    AdjustmentSettings adjustment;
+    adjustment.target = prior_;
+    const double freedom = degreesOfFreedom(candidate.variant, candidate.fit);
+    const double chi2PerDof = chi2OfFinder(candidate.fit) / freedom;
+    const double unexplainedPx = unexplainedNoise(used_, residuals(used_, candidate.fit), freedom);
+    TargetObservations weighed = used_;
+    weigh(weighed, unexplainedPx);
+    candidate.fit = adjust(weighed, candidate.variant, candidate.fit, adjustment);
+    result = described(candidate);
+    for (VariantResult& v : result_.variants)
+      if (v.variant == candidate.variant) v = *result;
+    if (candidate.variant != result_.variant) return;
+    result_.chi2PerDof = chi2PerDof;
+    result_.unexplainedPx = unexplainedPx;
+    chosen_ = std::move(weighed);
+    fit_ = candidate.fit;
+  }
+
+  /// Covariance, figures, verdict of the chosen one.
   void finish() {
     job_.report(0.9, "uncertainty");
-    AdjustmentSettings adjustment;
-    adjustment.pointSigmaMm = pointSigmaMm_;
-    result_.chi2PerDof = chi2OfFinder() / degreesOfFreedom();
-    result_.unexplainedPx = unexplainedNoise(used_, residuals(used_, fit_), degreesOfFreedom());
-    weigh(used_, result_.unexplainedPx);
-    fit_ = adjust(used_, result_.variant, fit_, adjustment);
     if (!fit_.converged)
       result_.refusals.emplace_back(
           "refused, because the adjustment does not come to rest; take more pictures, and check the target's size");
 
     CalibratedIntrinsics& camera = result_.camera;
     camera.intrinsics = fit_.intrinsics;
-    camera.covariance = informationOf(used_, result_.variant, fit_, pointSigmaMm_).covariance();
+    camera.covariance = informationOf(chosen_, result_.variant, fit_, prior_).covariance();
     for (int i = 0; i < kIntrinsicParameters; ++i)
       for (int j = 0; j < kIntrinsicParameters; ++j)
         if (const double scale = std::sqrt(camera.covariance(i, i) * camera.covariance(j, j)); scale > 0)
           result_.correlation(i, j) = camera.covariance(i, j) / scale;
     reportTarget();
     reportViews(fit_);
-    if (settings_.openCvReference)
-      result_.openCv =
-          openCvReference(selected(taken_.observations, robust_.selection), fit_.points, result_.variant, taken_.like);
+    askOpenCv();
     judgeCalibration(tiltDifferenceDeg(fit_, robust_.selection), settings_, result_);
     job_.report(1, "done");
   }
 
-  [[nodiscard]] double chi2OfFinder() const {
+  [[nodiscard]] double chi2OfFinder(const TargetFit& fit) const {
     double chi2 = 0;
-    const auto errors = residuals(used_, fit_);
+    const auto errors = residuals(used_, fit);
     for (std::size_t v = 0; v < errors.size(); ++v)
       for (std::size_t i = 0; i < errors[v].size(); ++i)
         if (const double u = used_.views[v][i].uPx; u > 0) chi2 += errors[v][i].squaredNorm() / (u * u);
@@ -250,10 +265,21 @@ class Calibrating {
   }
 
   void reportTarget() {
-    if (pointSigmaMm_ <= 0) return;
-    result_.targetErrorMm = pointSigmaMm_;
-    for (std::size_t i = 0; i < fit_.points.size(); ++i)
+    if (!prior_.free()) return;
+    result_.targetErrorMm = prior_.inPlaneMm;
+    result_.targetBendMm = prior_.outOfPlaneMm;
+    for (std::size_t i = 0; i < fit_.points.size(); ++i) {
       result_.targetCorrectionsMm.emplace_back((fit_.points[i] - taken_.observations.points[i]).head<2>());
+      if (prior_.outOfPlaneMm > 0) result_.targetHeightsMm.push_back(fit_.points[i].z());
+    }
+  }
+
+  void askOpenCv() {
+    if (!settings_.openCvReference) return;
+    const TargetObservations found = selected(taken_.observations, robust_.selection);
+    result_.openCv = openCvReference(found, fit_.points, result_.variant, taken_.like);
+    if (prior_.free())
+      result_.openCvTargetAsStated = openCvReference(found, found.points, result_.variant, taken_.like);
   }
 
   void reportViews(const TargetFit& fit) {
@@ -291,10 +317,12 @@ class Calibrating {
   IntrinsicsCalibration result_;
   TakenViews taken_;
   TargetObservations corrected_;  ///< all, as if distortion shifted no centre of a circle
-  TargetObservations used_;       ///< of those what counts, with weights
+  TargetObservations used_;       ///< of those what counts, weighed for the choice
+  TargetObservations chosen_;     ///< the same, weighed for the chosen model
   RobustFit robust_;
   TargetFit fit_;
-  double pointSigmaMm_ = 0;
+  TargetPrior prior_;
+  PointErrors pointErrors_ = PointErrors::Independent;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ struct IntrinsicsSettings {
   std::optional<DistortionModel> model;  ///< nothing: chosen by the data
   double nominalFocalMm = 0;             ///< of the lens, one more place to start from; 0: unknown
   int folds = 6;                         ///< of the cross-validation over views
-  double standardErrors = 2;             ///< a simpler model may be worse in cross-validation by so many
+  double confidence = 0.995;             ///< with which a simpler model must be the worse one in it, to be left
   OutlierSettings outliers;
   std::size_t minViews = 3;
   std::size_t minViewPoints = 12;
@@ -73,9 +73,12 @@ struct IntrinsicsCalibration {
   /// Standard deviation of the target's points from where they are stated (each coordinate), mm, where the views show
   /// it or it was given; then the points were estimated as well. 0: taken as stated.
   double targetErrorMm = 0;
-  std::vector<Point2> targetCorrectionsMm;  ///< of each point, where they were estimated
-  std::optional<OpenCvReference> openCv;
-  std::vector<std::string> refusals;  ///< "refused, because ..., do ..."; empty: may be used
+  double targetBendMm = 0;                              ///< the same out of the target's plane; 0: taken as flat
+  std::vector<Point2> targetCorrectionsMm;              ///< of each point, where they were estimated
+  std::vector<double> targetHeightsMm;                  ///< of each point, z of the target's frame, where estimated
+  std::optional<OpenCvReference> openCv;                ///< with the target as estimated
+  std::optional<OpenCvReference> openCvTargetAsStated;  ///< where that differs
+  std::vector<std::string> refusals;                    ///< "refused, because ..., do ..."; empty: may be used
   std::vector<std::string> warnings;
   double seconds = 0;
   [[nodiscard]] bool accepted() const { return refusals.empty(); }

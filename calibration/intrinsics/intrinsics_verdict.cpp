@@ -60,6 +60,10 @@ void warn(IntrinsicsCalibration& c) {
     c.warnings.push_back("the target's points lie " + digits(1000 * c.targetErrorMm, 0) +
                          " um (standard deviation of each coordinate) from where they are stated; they were estimated "
                          "with the camera");
+  if (c.targetBendMm > 0)
+    c.warnings.push_back(
+        "the target is not flat: its points lie " + digits(1000 * c.targetBendMm, 0) +
+        " um (standard deviation) out of its plane; that was estimated as well, but a flat one is better");
 }
 
 }  // namespace

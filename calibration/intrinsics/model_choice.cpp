@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "calibration/parallel_for.h"
+#include "engine/quality/running_statistics.h"
 
 namespace vignole {
 
@@ -38,11 +40,11 @@ std::vector<double> judgedSquares(const ObservedView& view, std::size_t v, const
 }
 
 void holdOut(const std::vector<std::size_t>& fold, const TargetObservations& observations, const LensVariant& variant,
-             const TargetFit& fit, double pointSigmaMm, HeldOut& result) {
+             const TargetFit& fit, const TargetPrior& target, HeldOut& result) {
   TargetObservations training = observations;
   for (const std::size_t v : fold) training.views[v].clear();
   AdjustmentSettings settings;
-  settings.pointSigmaMm = pointSigmaMm;
+  settings.target = target;
   const TargetFit trained = adjust(training, variant, fit, settings);
   for (const std::size_t v : fold)
     result.squaresPx2[v] = judgedSquares(observations.views[v], v, observations, variant, trained);
@@ -58,6 +60,46 @@ double rms(const HeldOut& h) {
   return std::isfinite(sum) ? std::sqrt(sum / points) : std::numeric_limits<double>::infinity();
 }
 
+/// Values whose mean is asked for.
+class Trials {
+ public:
+  void add(double value) {
+    count_ += 1;
+    sum_ += value;
+    squares_ += value * value;
+  }
+  /// The mean lies above 0.
+  [[nodiscard]] bool beyondChance(double confidence) const {
+    if (count_ < 2) return false;
+    const double mean = sum_ / count_;
+    if (!std::isfinite(mean)) return sum_ > 0;
+    const double variance = std::max(0.0, squares_ / count_ - mean * mean) / (count_ - 1);
+    return mean > studentQuantile(confidence, count_ - 1) * std::sqrt(variance);
+  }
+
+ private:
+  double count_ = 0, sum_ = 0, squares_ = 0;
+};
+
+Trials trialsOfPoints(const HeldOut& a, const HeldOut& b) {
+  Trials trials;
+  for (std::size_t v = 0; v < a.squaresPx2.size(); ++v)
+    for (std::size_t i = 0; i < a.squaresPx2[v].size(); ++i) trials.add(a.squaresPx2[v][i] - b.squaresPx2[v][i]);
+  return trials;
+}
+
+Trials trialsOfViews(const HeldOut& a, const HeldOut& b) {
+  Trials trials;
+  for (std::size_t v = 0; v < a.squaresPx2.size(); ++v) {
+    if (a.squaresPx2[v].empty()) continue;
+    const auto sum = [v](const HeldOut& h) {
+      return std::accumulate(h.squaresPx2[v].begin(), h.squaresPx2[v].end(), std::numeric_limits<double>::min());
+    };
+    trials.add(std::log(sum(a) / sum(b)));
+  }
+  return trials;
+}
+
 }  // namespace
 
 Expected<std::vector<HeldOut>> crossValidate(const TargetObservations& observations,
@@ -69,31 +111,20 @@ Expected<std::vector<HeldOut>> crossValidate(const TargetObservations& observati
   parallelFor(variants.size() * folds.size(), [&](std::size_t i) {
     const std::size_t variant = i / folds.size();
     if (job.cancelled()) return;
-    holdOut(folds[i % folds.size()], observations, variants[variant], fits[variant], settings.pointSigmaMm,
-            heldOut[variant]);
+    holdOut(folds[i % folds.size()], observations, variants[variant], fits[variant], settings.target, heldOut[variant]);
   });
   if (job.cancelled()) return cancelledError();
   for (HeldOut& h : heldOut) h.rmsPx = rms(h);
   return heldOut;
 }
 
-PairedDifference difference(const HeldOut& a, const HeldOut& b) {
-  double count = 0, sum = 0, squares = 0;
-  for (std::size_t v = 0; v < a.squaresPx2.size(); ++v)
-    for (std::size_t i = 0; i < a.squaresPx2[v].size(); ++i) {
-      const double d = a.squaresPx2[v][i] - b.squaresPx2[v][i];
-      count += 1;
-      sum += d;
-      squares += d * d;
-    }
-  PairedDifference result;
-  result.mean = sum / count;
-  result.standardError = std::sqrt(std::max(0.0, squares / count - result.mean * result.mean) / (count - 1));
-  return result;
+bool worse(const HeldOut& a, const HeldOut& b, PointErrors errors, double confidence) {
+  const Trials trials = errors == PointErrors::Independent ? trialsOfPoints(a, b) : trialsOfViews(a, b);
+  return trials.beyondChance(confidence);
 }
 
-std::size_t chooseSimplest(std::span<const LensVariant> variants, std::span<const HeldOut> heldOut,
-                           double standardErrors) {
+std::size_t chooseSimplest(std::span<const LensVariant> variants, std::span<const HeldOut> heldOut, PointErrors errors,
+                           double confidence) {
   const auto better = [&](std::size_t a, std::size_t b) { return heldOut[a].rmsPx < heldOut[b].rmsPx; };
   std::size_t best = 0;
   for (std::size_t i = 1; i < variants.size(); ++i)
@@ -102,8 +133,7 @@ std::size_t chooseSimplest(std::span<const LensVariant> variants, std::span<cons
   const auto size = [&](std::size_t i) { return freeParameters(variants[i]).size(); };
   for (std::size_t i = 0; i < variants.size(); ++i) {
     if (size(i) > size(chosen) || (size(i) == size(chosen) && !better(i, chosen))) continue;
-    const PairedDifference d = difference(heldOut[i], heldOut[best]);
-    if (d.mean <= standardErrors * d.standardError) chosen = i;
+    if (!worse(heldOut[i], heldOut[best], errors, confidence)) chosen = i;
   }
   return chosen;
 }

@@ -9,9 +9,9 @@
 namespace vignole {
 
 struct CrossValidationSettings {
-  int folds = 6;              ///< of views; as many as views if there are fewer
-  double pointSigmaMm = 0;    ///< the target's points are unknowns with this prior, as in AdjustmentSettings
-  double standardErrors = 1;  ///< a simpler model is taken when it is worse by no more than so many
+  int folds = 6;  ///< of views; as many as views if there are fewer
+  TargetPrior target;
+  double confidence = 0.995;  ///< with which a simpler model must be the worse one, to be left
 };
 
 /// One variant before pictures that its adjustment was not given: half of the points of such a picture fit its pose,
@@ -27,17 +27,20 @@ struct HeldOut {
                                                            std::span<const TargetFit> fits,
                                                            const CrossValidationSettings& settings, const Job& job);
 
-/// Mean over points of how much worse `a` is than `b`, px^2, and its standard error: the models were adjusted to other
-/// pictures, so the noise of these points is independent of both, and of point to point. (Over views the error would be
-/// larger than chance makes it: where a model is wrong it is so in the pictures that reach the edges alone.)
-struct PairedDifference {
-  double mean = 0, standardError = 0;
+/// How far the errors of the points of a picture are independent.
+enum class PointErrors {
+  Independent,  ///< noise: the models were adjusted to other pictures, so each point is a trial of its own
+  Shared        ///< by whatever is wrong with a picture: each picture is a trial
 };
-[[nodiscard]] PairedDifference difference(const HeldOut& a, const HeldOut& b);
 
-/// The simplest variant that is not worse than the best by more than the standard errors allow; of several with as many
-/// parameters the best.
+/// Whether `a` predicts worse than `b` with this confidence, by Student's t over the trials: of points the differences
+/// of their squared residuals, of pictures the logarithms of the ratios of theirs (no single picture decides). Trials
+/// of points find more where they are allowed: a model that is wrong may be so in the few pictures that reach the
+/// edges.
+[[nodiscard]] bool worse(const HeldOut& a, const HeldOut& b, PointErrors errors, double confidence);
+
+/// The simplest variant that is not worse than the best; of several with as many parameters the best.
 [[nodiscard]] std::size_t chooseSimplest(std::span<const LensVariant> variants, std::span<const HeldOut> heldOut,
-                                         double standardErrors);
+                                         PointErrors errors, double confidence);
 
 }  // namespace vignole

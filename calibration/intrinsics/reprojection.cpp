@@ -17,43 +17,46 @@ using Matrix3x6 = Eigen::Matrix<double, 3, 6>;
 
 constexpr int column(CameraParameter p) { return static_cast<int>(p); }
 
-/// Point in the camera's frame of what is seen, and its derivatives.
-struct SeenPoint {
-  Vector3d inCamera;
+/// The centre of a circle's ellipse is the image of the point moved by -r^2 h / w, h the first two numbers of the third
+/// row of the homography, w its third applied to the centre: here the rotation's row and the depth.
+Vector2d shiftInPlane(const Extrinsics& pose, double depth, double radius) {
+  return -radius * radius / depth * pose.rotation.block<1, 2>(2, 0).transpose();
+}
+
+/// What is seen of the point, in the camera's frame.
+Vector3d seenPoint(const Extrinsics& pose, const Vector3d& point, double radius) {
+  const Vector3d centre = pose.rotation * point + pose.translationMm;
+  if (!(radius > 0)) return centre;
+  return centre + pose.rotation.leftCols<2>() * shiftInPlane(pose, centre.z(), radius);
+}
+
+struct SeenDerivatives {
   Matrix3x6 byPose;
   Eigen::Matrix3d byPoint;
 };
-
-/// The centre of a circle's ellipse is the image of the point moved by -r^2 h / w, h the first two numbers of the third
-/// row of the homography, w its third applied to the centre: here the rotation's row and the depth.
-SeenPoint seenPoint(const Extrinsics& pose, const Vector3d& point, double radius) {
+SeenDerivatives seenDerivatives(const Extrinsics& pose, const Vector3d& point, double radius) {
   const Eigen::Matrix3d& r = pose.rotation;
-  const Vector3d turned = r * point;
-  SeenPoint seen;
-  seen.inCamera = turned + pose.translationMm;
-  seen.byPose << 0, turned.z(), -turned.y(), 1, 0, 0,  //
-      -turned.z(), 0, turned.x(), 0, 1, 0,             //
-      turned.y(), -turned.x(), 0, 0, 0, 1;
-  seen.byPoint = r;
-  if (!(radius > 0)) return seen;
+  const auto byTurn = [](const Vector3d& v) {  // of exp([w]x) v by w
+    Eigen::Matrix3d m;
+    m << 0, v.z(), -v.y(), -v.z(), 0, v.x(), v.y(), -v.x(), 0;
+    return m;
+  };
+  SeenDerivatives by;
+  by.byPose << byTurn(r * point), Eigen::Matrix3d::Identity();
+  by.byPoint = r;
+  if (!(radius > 0)) return by;
 
   const Vector2d h = r.block<1, 2>(2, 0).transpose();
-  const double w = seen.inCamera.z(), r2 = radius * radius;
-  const Vector2d shift = -r2 / w * h;
-  const Vector3d shiftInCamera = r.leftCols<2>() * shift;
+  const double w = r.row(2) * point + pose.translationMm.z(), r2 = radius * radius;
   Eigen::Matrix<double, 2, 6> hByPose = Eigen::Matrix<double, 2, 6>::Zero();
   hByPose.col(0) = r.block<1, 2>(1, 0).transpose();
   hByPose.col(1) = -r.block<1, 2>(0, 0).transpose();
-  const Eigen::Matrix<double, 2, 6> shiftByPose = -r2 / w * (hByPose - h / w * seen.byPose.row(2));
+  const Eigen::Matrix<double, 2, 6> shiftByPose = -r2 / w * (hByPose - h / w * by.byPose.row(2));
   const Eigen::Matrix<double, 2, 3> shiftByPoint = r2 / (w * w) * h * r.row(2);
-  Eigen::Matrix3d cross;
-  cross << 0, shiftInCamera.z(), -shiftInCamera.y(), -shiftInCamera.z(), 0, shiftInCamera.x(), shiftInCamera.y(),
-      -shiftInCamera.x(), 0;
-  seen.inCamera += shiftInCamera;
-  seen.byPose.leftCols<3>() += cross;
-  seen.byPose += r.leftCols<2>() * shiftByPose;
-  seen.byPoint += r.leftCols<2>() * shiftByPoint;
-  return seen;
+  by.byPose.leftCols<3>() += byTurn(r.leftCols<2>() * shiftInPlane(pose, w, radius));
+  by.byPose += r.leftCols<2>() * shiftByPose;
+  by.byPoint += r.leftCols<2>() * shiftByPoint;
+  return by;
 }
 
 /// Derivatives of the undistorted point by the distorted one and, at a fixed distorted point, by the distortion's
@@ -77,11 +80,24 @@ void undistortionDerivatives(const Lens<double>& lens, const Vector2d& d, Matrix
   byParameters.col(5) << 2 * x * y, r2 + 2 * y * y;
 }
 
-/// Undistorted -> distorted; false where the model has no inverse there.
-bool distorted(const Lens<double>& lens, const Vector2d& u, Vector2d& d) {
+/// Where a point's light falls on the sensor, mm, and the undistortion's derivatives there.
+struct SensorPoint {
+  Vector2d direction, distorted;  ///< x / z, y / z; mm
+  Matrix2d byDistorted;
+  Eigen::Matrix<double, 2, 6> byParameters;
+};
+
+/// False behind the camera, and where the model has no inverse or is folded over, which no lens is.
+bool reachesSensor(const Lens<double>& lens, const Vector3d& inCamera, SensorPoint& p) {
   constexpr double kClosedMm = 1e-9;
-  d = distort(lens, u);
-  return d.allFinite() && (undistort(lens, d) - u).squaredNorm() < kClosedMm * kClosedMm;
+  if (!(inCamera.z() > 0)) return false;
+  p.direction = inCamera.head<2>() / inCamera.z();
+  const Vector2d undistorted = lens.focalMm * p.direction;
+  p.distorted = distort(lens, undistorted);
+  if (!p.distorted.allFinite()) return false;
+  if (!((undistort(lens, p.distorted) - undistorted).squaredNorm() < kClosedMm * kClosedMm)) return false;
+  undistortionDerivatives(lens, p.distorted, p.byDistorted, p.byParameters);
+  return p.byDistorted.determinant() > 0;
 }
 
 }  // namespace
@@ -109,50 +125,36 @@ Intrinsics fromVector(const IntrinsicVector& v, const Intrinsics& like) {
 
 bool reproject(const Intrinsics& in, const Extrinsics& cameraFromTarget, const Vector3d& pointInTarget, double radiusMm,
                Reprojection& result) {
-  const SeenPoint seen = seenPoint(cameraFromTarget, pointInTarget, radiusMm);
-  const double z = seen.inCamera.z();
-  if (!(z > 0)) return false;
-  const Vector2d direction = seen.inCamera.head<2>() / z;
   const Lens<double> l = lens(in);
-  Vector2d d;
-  if (!distorted(l, in.focalMm * direction, d)) return false;
+  const Vector3d seen = seenPoint(cameraFromTarget, pointInTarget, radiusMm);
+  SensorPoint onSensor;
+  if (!reachesSensor(l, seen, onSensor)) return false;
 
-  Matrix2d byDistorted;
-  Eigen::Matrix<double, 2, 6> byParameters;
-  undistortionDerivatives(l, d, byDistorted, byParameters);
-  const double determinant = byDistorted.determinant();
-  if (!(determinant > 0)) return false;  // folded over: no lens does that
   const Vector2d perMm(1 / in.pixelWidthMm, 1 / in.pixelHeightMm);
-  const Matrix2d pxByUndistorted = perMm.asDiagonal() * byDistorted.inverse();
-
-  result.px = pixelFromSensor(l, d);
+  const Matrix2d pxByUndistorted = perMm.asDiagonal() * onSensor.byDistorted.inverse();
+  result.px = pixelFromSensor(l, onSensor.distorted);
   result.byIntrinsics.setZero();
-  result.byIntrinsics.col(column(CameraParameter::F)) = pxByUndistorted * direction;
-  result.byIntrinsics(1, column(CameraParameter::PixelHeight)) = -d.y() * perMm.y() * perMm.y();
+  result.byIntrinsics.col(column(CameraParameter::F)) = pxByUndistorted * onSensor.direction;
+  result.byIntrinsics(1, column(CameraParameter::PixelHeight)) = -onSensor.distorted.y() * perMm.y() * perMm.y();
   result.byIntrinsics(0, column(CameraParameter::U0)) = 1;
   result.byIntrinsics(1, column(CameraParameter::V0)) = 1;
-  result.byIntrinsics.rightCols<6>() = -pxByUndistorted * byParameters;
+  result.byIntrinsics.rightCols<6>() = -pxByUndistorted * onSensor.byParameters;
   Eigen::Matrix<double, 2, 3> pxByCamera;
-  pxByCamera << pxByUndistorted, -pxByUndistorted * direction;
-  pxByCamera *= in.focalMm / z;
-  result.byPose = pxByCamera * seen.byPose;
-  result.byPoint = pxByCamera * seen.byPoint;
+  pxByCamera << pxByUndistorted, -pxByUndistorted * onSensor.direction;
+  pxByCamera *= in.focalMm / seen.z();
+  const SeenDerivatives by = seenDerivatives(cameraFromTarget, pointInTarget, radiusMm);
+  result.byPose = pxByCamera * by.byPose;
+  result.byPoint = pxByCamera * by.byPoint;
   return true;
 }
 
 Point2 reprojected(const Intrinsics& in, const Extrinsics& cameraFromTarget, const Vector3d& pointInTarget,
                    double radiusMm) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::RowVector3d row = cameraFromTarget.rotation.row(2);
-  const double depth = row * pointInTarget + cameraFromTarget.translationMm.z();
-  Vector3d shifted = pointInTarget;
-  shifted.head<2>() -= radiusMm * radiusMm / depth * row.head<2>().transpose();
-  const Vector3d inCamera = cameraFromTarget.rotation * shifted + cameraFromTarget.translationMm;
-  if (!(depth > 0 && inCamera.z() > 0)) return {kNaN, kNaN};
   const Lens<double> l = lens(in);
-  Vector2d d;
-  if (!distorted(l, in.focalMm / inCamera.z() * inCamera.head<2>(), d)) return {kNaN, kNaN};
-  return pixelFromSensor(l, d);
+  SensorPoint onSensor;
+  if (!reachesSensor(l, seenPoint(cameraFromTarget, pointInTarget, radiusMm), onSensor)) return {kNaN, kNaN};
+  return pixelFromSensor(l, onSensor.distorted);
 }
 
 Extrinsics moved(const Extrinsics& pose, const Eigen::Matrix<double, 6, 1>& change) {

@@ -9,6 +9,8 @@
 #include <ceres/solver.h>
 #include <memory>
 
+#include "calibration/intrinsics/quiet_ceres.h"
+
 namespace vignole {
 
 namespace {
@@ -72,19 +74,21 @@ class PointResidual : public ceres::SizedCostFunction<2, kIntrinsicParameters, 6
 };
 
 /// What is known of a point of the target beforehand.
-class PointPrior : public ceres::SizedCostFunction<2, 3> {
+class PointPrior : public ceres::SizedCostFunction<3, 3> {
  public:
-  PointPrior(const Eigen::Vector3d& stated, double sigmaMm) : stated_(stated), sigmaMm_(sigmaMm) {}
+  PointPrior(const Eigen::Vector3d& stated, const TargetPrior& prior)
+      : stated_(stated),
+        weights_(1 / prior.inPlaneMm, 1 / prior.inPlaneMm, prior.outOfPlaneMm > 0 ? 1 / prior.outOfPlaneMm : 0) {}
   bool Evaluate(const double* const* parameters, double* residual, double** jacobians) const override {
-    for (int i = 0; i < 2; ++i) residual[i] = (parameters[0][i] - stated_[i]) / sigmaMm_;
-    if (jacobians != nullptr && jacobians[0] != nullptr)
-      put<3>(Eigen::Matrix<double, 2, 3>::Identity() / sigmaMm_, jacobians[0]);
+    for (int i = 0; i < 3; ++i) residual[i] = (parameters[0][i] - stated_[i]) * weights_[i];
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+    Eigen::Map<Eigen::Matrix3d> derivatives(jacobians[0]);
+    derivatives = weights_.asDiagonal();
     return true;
   }
 
  private:
-  Eigen::Vector3d stated_;
-  double sigmaMm_;
+  Eigen::Vector3d stated_, weights_;
 };
 
 std::vector<int> fixedIntrinsics(const LensVariant& variant) {
@@ -121,6 +125,7 @@ class Adjustment {
     options.parameter_tolerance = 1e-12;
     options.num_threads = 1;  // the same numbers whatever the machine
     options.logging_type = ceres::SILENT;
+    silenceCeres();
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
 
@@ -140,7 +145,7 @@ class Adjustment {
     const auto add = [&](double* block, int group) {
       if (problem_.HasParameterBlock(block)) order->AddElementToGroup(block, group);
     };
-    const bool points = settings_.pointSigmaMm > 0 && !settings_.posesOnly;
+    const bool points = settings_.target.free() && !settings_.posesOnly;
     for (Eigen::Vector3d& point : points_) add(point.data(), points ? 0 : 1);
     for (Vector6& change : changes_) add(change.data(), points ? 1 : 0);
     add(intrinsics_.data(), 1);
@@ -157,7 +162,7 @@ class Adjustment {
   }
 
   void holdPoints(const TargetObservations& observations) {
-    const bool free = settings_.pointSigmaMm > 0 && !settings_.posesOnly;
+    const bool free = settings_.target.free() && !settings_.posesOnly;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       double* point = points_[i].data();
       if (!problem_.HasParameterBlock(point)) continue;
@@ -165,8 +170,8 @@ class Adjustment {
         problem_.SetParameterBlockConstant(point);
         continue;
       }
-      problem_.SetManifold(point, new ceres::SubsetManifold(3, {2}));
-      problem_.AddResidualBlock(new PointPrior(observations.points[i], settings_.pointSigmaMm), nullptr, point);
+      if (!(settings_.target.outOfPlaneMm > 0)) problem_.SetManifold(point, new ceres::SubsetManifold(3, {2}));
+      problem_.AddResidualBlock(new PointPrior(observations.points[i], settings_.target), nullptr, point);
     }
   }
 
@@ -185,10 +190,22 @@ class Adjustment {
   ceres::Problem problem_{keepingLoss()};
 };
 
+bool everythingIsSeen(const TargetObservations& observations, const TargetFit& fit) {
+  for (const auto& view : residuals(observations, fit))
+    for (const Point2& r : view)
+      if (!r.allFinite()) return false;
+  return true;
+}
+
 }  // namespace
 
 TargetFit adjust(const TargetObservations& observations, const LensVariant& variant, const TargetFit& start,
                  const AdjustmentSettings& settings) {
+  if (!everythingIsSeen(observations, start)) {  // Ceres would complain on stderr
+    TargetFit unchanged = start;
+    unchanged.converged = false;
+    return unchanged;
+  }
   return Adjustment(observations, variant, start, settings).solve();
 }
 

@@ -30,10 +30,18 @@ struct TargetFit {
   bool converged = false;
 };
 
+/// What is known beforehand of where the target's points are: normal, around where they are stated. In-plane 0: they
+/// are as stated, and no unknowns; out of plane 0: the target is flat.
+struct TargetPrior {
+  double inPlaneMm = 0;  ///< standard deviation of x and of y
+  double outOfPlaneMm = 0;
+  [[nodiscard]] bool free() const { return inPlaneMm > 0; }
+};
+
 struct AdjustmentSettings {
-  bool robust = false;      ///< Cauchy loss beyond two standard deviations of a point
-  bool posesOnly = false;   ///< intrinsics and points stay
-  double pointSigmaMm = 0;  ///< the target's points are unknowns with this prior on x and y; 0: they are as they are
+  bool robust = false;     ///< Cauchy loss beyond two standard deviations of a point
+  bool posesOnly = false;  ///< intrinsics and points stay
+  TargetPrior target;
   int maxIterations = 100;
 };
 

@@ -5,13 +5,16 @@
 
 namespace vignole {
 
-/// Standard deviation of the target's points from where they are stated to be, each coordinate, mm, by the residuals of
-/// a fit that takes them as stated (analysis of variance: between points against within). 0 where chance explains all,
-/// or fewer than `minViews` views show a point.
-[[nodiscard]] double targetErrorMm(const TargetObservations& observations, const TargetFit& fit);
+/// Standard deviations of the target's points from where they are stated to be, by the residuals of a fit that takes
+/// them as stated: each point's best place beside how uncertain that is (variance components). 0 where chance explains
+/// it. In-plane and out of plane each by itself.
+[[nodiscard]] TargetPrior suspectedErrors(const TargetObservations& observations, const TargetFit& fit);
 
-/// How many parameters the estimated points amount to: 2 a point where the views fix it, 0 where the prior does.
+/// How many parameters the estimated points amount to: 3 a point where the views fix it, 0 where the prior does.
 [[nodiscard]] double effectiveParameters(const TargetObservations& observations, const TargetFit& fit,
-                                         double pointSigmaMm);
+                                         const TargetPrior& prior);
+
+/// Of x, y, z: 1 / sigma^2.
+[[nodiscard]] Eigen::Vector3d priorWeights(const TargetPrior& prior);
 
 }  // namespace vignole

@@ -17,6 +17,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<int> levelCounts(const std::vector<Factor>& factors) {
   std::vector<int> counts;
+  counts.reserve(factors.size());
   for (const Factor& factor : factors) counts.push_back(static_cast<int>(factor.levels.size()));
   return counts;
 }

@@ -86,7 +86,7 @@ void EffectModel::add(std::span<const int> combination, int block, double value)
   const Eigen::VectorXd x = regressors(combination, block);
   if (observations_ == 0) centre_ = value;  // keeps the sums of squares from drowning in a large mean
   const double y = value - centre_;
-  gram_.selfadjointView<Eigen::Lower>().rankUpdate(x);
+  gram_.noalias() += x * x.transpose();
   moment_ += y * x;
   sum_ += y;
   squares_ += y * y;
@@ -103,8 +103,7 @@ EffectModel::Fit EffectModel::fit(const std::vector<bool>& keep, bool blocks) co
   for (int column = 1; blocks && column < blocks_; ++column) columns.push_back(column);
   for (std::size_t t = 0; t < terms_.size(); ++t)
     for (int column = firstColumn_[t]; keep[t] && column < firstColumn_[t + 1]; ++column) columns.push_back(column);
-  const Eigen::MatrixXd all = gram_.selfadjointView<Eigen::Lower>();
-  const Eigen::MatrixXd part = all(columns, columns);
+  const Eigen::MatrixXd part = gram_(columns, columns);
   const Eigen::VectorXd moment = moment_(columns);
   const auto [inverse, rank] = pseudoInverse(part);
   return {rank, std::max(0.0, squares_ - moment.dot(inverse * moment))};
@@ -112,13 +111,12 @@ EffectModel::Fit EffectModel::fit(const std::vector<bool>& keep, bool blocks) co
 
 EffectModel::Estimate EffectModel::estimate(const Eigen::VectorXd& row) const {
   if (!solved_) {
-    const Eigen::MatrixXd all = gram_.selfadjointView<Eigen::Lower>();
-    inverse_ = pseudoInverse(all).first;
+    inverse_ = pseudoInverse(gram_).first;
     coefficients_ = inverse_ * moment_;
     solved_ = true;
   }
   const Eigen::VectorXd through = inverse_ * row;
-  const Eigen::VectorXd back = gram_.selfadjointView<Eigen::Lower>() * through;
+  const Eigen::VectorXd back = gram_ * through;
   Estimate estimate;
   estimate.value = row.dot(coefficients_) + centre_ * row[0];
   estimate.gain = row.dot(through);

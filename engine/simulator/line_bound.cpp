@@ -123,8 +123,9 @@ std::vector<std::vector<LinePlace>> RenderedLines::at(int camera, std::uint64_t 
   twin_->render(camera, trigger, {pixels.data(), in.widthPx, in.heightPx, in.widthPx});
   const ImageView picture{pixels.data(), in.widthPx, in.heightPx, in.widthPx};
   std::vector<std::vector<LinePlace>> lines;
+  const double ambientDn = exposedFor(twin_->settings().effects, twin_->settings().exposureMs).ambientDn;
   for (const std::vector<Point2>& line : twin_->visibleLines(camera, trigger))
-    lines.push_back(readPlaces(line, picture, twin_->settings().effects.ambientDn));
+    lines.push_back(readPlaces(line, picture, ambientDn));
   return lines;
 }
 

@@ -38,12 +38,8 @@ double LinePainter::step(const Point2& from, const Point2& to, const Point2& nor
     light += view_.passes[k] * std::max(0.0, normal.dot(toLaser)) / (distance * distance) * kLaserReferenceMm;
   }
   const Point3 toCamera = (view_.centre - Point3(middle_.x(), middle_.y(), 0)).normalized();
-  return light * (kPower * exposure_ * std::max(0.0, normal.dot(toCamera.head<2>())) * (to - from).norm());
-}
-
-double LinePainter::frontalLight(double lengthMm) const {
-  const Point3 toCamera = (view_.centre - Point3(middle_.x(), middle_.y(), 0)).normalized();
-  return kPower * exposure_ * toCamera.head<2>().norm() * lengthMm;
+  powerToCamera_ = kPower * exposure_ * std::max(0.0, normal.dot(toCamera.head<2>())) * (to - from).norm();
+  return light * powerToCamera_;
 }
 
 void LinePainter::paint(double light, double reflectanceFrom, double reflectanceTo) {

@@ -40,8 +40,8 @@ class LinePainter {
   void startStretch(const LitBy& lit);
   /// Goes on to the next edge; returns the light that a white edge would send to the camera.
   double step(const Point2& from, const Point2& to, const Point2& normal);
-  /// Light of a white edge that faces a laser at its usual distance and the camera.
-  [[nodiscard]] double frontalLight(double lengthMm) const;
+  /// What step() would have returned, were the edge lit from straight before it by a laser at its usual distance.
+  [[nodiscard]] double frontalLight() const { return powerToCamera_; }
   [[nodiscard]] const Point2& middle() const { return middle_; }
   /// Light on the edge, times a reflectance that changes evenly along it.
   void paint(double light, double reflectanceFrom, double reflectanceTo);
@@ -61,6 +61,7 @@ class LinePainter {
   bool first_ = true;
   Point2 from_{0, 0}, to_{0, 0}, middle_{0, 0};
   Eigen::Vector2d fromPx_{0, 0}, toPx_{0, 0};
+  double powerToCamera_ = 0;
   Point2 kernelPlace_{0, 0};
   bool ghostKernel_ = false;
   std::uint32_t kernel_ = 0;

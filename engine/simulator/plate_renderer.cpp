@@ -179,7 +179,7 @@ void PlateRenderer::render(const PlateScene& scene, const std::vector<SpuriousAr
         [&](double angle) { return Point2(arc.centre + arc.radiusMm * Point2(std::cos(angle), std::sin(angle))); },
         [&](const Point2& a, const Point2& b) {
           painter.step(a, b, outwardNormal(a, b));
-          painter.paint(painter.frontalLight((b - a).norm()), kReflectance, kReflectance);
+          painter.paint(painter.frontalLight(), kReflectance, kReflectance);
         });
   }
   s.canvas.add(s.samples.splats, s.samples.kernels);

@@ -16,6 +16,12 @@ constexpr std::uint32_t kGroundPixels = kNormals;
 
 }  // namespace
 
+Effects exposedFor(const Effects& effects, double exposureMs) {
+  Effects exposed = effects;
+  exposed.ambientDn *= exposureMs / kUsualExposureMs;
+  return exposed;
+}
+
 Sensor::Sensor(std::uint64_t seed, const Effects& effects, int widthPx, int heightPx)
     : effects_(effects),
       widthPx_(widthPx),

@@ -15,6 +15,10 @@ namespace vignole::simulator {
 /// 10,000 electrons at 60 DN: variance in DN^2 per DN of signal.
 inline constexpr double kShotPerDn = 60.0 / 10000;
 
+inline constexpr double kUsualExposureMs = 15;  ///< for which the light and the effects are given
+/// The effects at another exposure: so much ambient light.
+[[nodiscard]] Effects exposedFor(const Effects& effects, double exposureMs);
+
 /// How a camera takes a frame.
 struct Exposure {
   std::uint64_t key = 0;  ///< draws its noise

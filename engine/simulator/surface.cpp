@@ -97,6 +97,7 @@ float Surface::reflectance(double aroundMm, double alongMm, double scaleShare) c
 }
 
 std::vector<float> speckleField(std::uint64_t seed, double contrast) {
+  if (!(contrast > 0)) return std::vector<float>(std::size_t{kSpeckleSize} * kSpeckleStride, 1.0F);
   std::vector<float> field = whiteNoise(Draws(seed, Stream::Speckle), std::size_t{kSpeckleSize} * kSpeckleSize);
   smooth(field, kSpeckleSize, kSpeckleSize, kSpeckleGrainSigma, kSpeckleGrainSigma);
   // Gamma of shape k = 1/contrast^2 and mean 1 from a normal deviate (Wilson and Hilferty 1931).
@@ -106,7 +107,7 @@ std::vector<float> speckleField(std::uint64_t seed, double contrast) {
     for (int x = 0; x < kSpeckleStride; ++x) {
       const float z = field[static_cast<std::size_t>(y * kSpeckleSize + x % kSpeckleSize)];
       const float root = std::max(0.0F, 1 - v + z * std::sqrt(v));
-      padded[static_cast<std::size_t>(y * kSpeckleStride + x)] = contrast > 0 ? root * root * root : 1.0F;
+      padded[static_cast<std::size_t>(y * kSpeckleStride + x)] = root * root * root;
     }
   return padded;
 }

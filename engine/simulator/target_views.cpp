@@ -33,16 +33,34 @@ Extrinsics poseOf(const Stance& stance, const Intrinsics& in, const Point2& midd
   return pose;
 }
 
-/// Whether every point, and what belongs to it, is in the picture.
+/// Moved along the line of sight to where the middle of the target is so far from the light plane.
+Extrinsics movedToLight(const Extrinsics& pose, const Point2& middle, double offsetMm,
+                        const RangeFinderCalibration& finder) {
+  const Point3 turned = pose.rotation * Point3(middle.x(), middle.y(), 0), inCamera = turned + pose.translationMm;
+  const Point3 normal = finder.cameraFromWorld.rotation * finder.lightPlane.normal;
+  const double distance = finder.lightPlane.distanceMm + normal.dot(finder.cameraFromWorld.translationMm) + offsetMm;
+  Extrinsics moved = pose;
+  moved.translationMm = distance / normal.dot(inCamera) * inCamera - turned;
+  return moved;
+}
+
+/// Of the print, what must be seen for all points to be found: corners with most of their squares, dots with some white
+/// about them, a dot plate's frame.
+TargetRectangle needed(const PlanarTarget& target) {
+  TargetRectangle r = board(target);
+  const double pitch = target.pitchMm;
+  double margin = pitch / 8;
+  if (target.pattern == TargetPattern::Chessboard) margin = 1.4 * pitch;
+  if (target.pattern == TargetPattern::Circles || target.pattern == TargetPattern::AsymmetricCircles)
+    margin = 0.875 * pitch - target.diameterMm / 2;
+  r.min += Point2(margin, margin);
+  r.max -= Point2(margin, margin);
+  return r;
+}
+
 bool fits(const PlanarTarget& target, const Intrinsics& in, const Extrinsics& pose) {
   constexpr double kEdgePx = 6;
-  const TargetRectangle printed = [&] {
-    TargetRectangle r = board(target);
-    const double margin = target.pattern == TargetPattern::Chessboard ? target.pitchMm : target.pitchMm / 8;
-    r.min += Point2(margin, margin);
-    r.max -= Point2(margin, margin);
-    return r;
-  }();
+  const TargetRectangle printed = needed(target);
   const Lens<double> camera = lens(in);
   for (const double x : {printed.min.x(), printed.max.x()})
     for (const double y : {printed.min.y(), printed.max.y()}) {
@@ -58,7 +76,8 @@ bool fits(const PlanarTarget& target, const Intrinsics& in, const Extrinsics& po
 
 }  // namespace
 
-std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics& in, int count, std::uint64_t seed) {
+std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics& in, int count, std::uint64_t seed,
+                                   const RangeFinderCalibration* throughLight) {
   constexpr double kDegree = std::numbers::pi / 180;
   constexpr double kNearestMm = 350, kFarthestMm = 450, kTooFarMm = 4000;
   // Where the board goes, from the middle of the picture (-1 .. 1): over its corners, edges and middle.
@@ -78,10 +97,12 @@ std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics&
     stance.tiltRad = (i == 0 ? draws.uniform(0, 5) : draws.uniform(15, 35)) * kDegree;
     stance.tiltAxisRad = 2.4 * i + draws.uniform(-0.3, 0.3);  // the golden angle: to all sides
     stance.rollRad = draws.uniform(-15, 15) * kDegree + (i % 4 == 3 ? std::numbers::pi / 2 : 0);
+    const double beside = draws.uniform(-0.2, 0.2) * (whole.max.y() - whole.min.y());
     const auto poseAt = [&](double share) {
       Stance there = stance;
       there.px = centre + share * Point2(place[0] * centre.x(), place[1] * centre.y());
-      return poseOf(there, in, middle);
+      const Extrinsics pose = poseOf(there, in, middle);
+      return throughLight == nullptr ? pose : movedToLight(pose, middle, beside, *throughLight);
     };
     while (!fits(target, in, poseAt(0)) && stance.distanceMm < kTooFarMm) stance.distanceMm *= 1.02;
     double low = 0, high = 1;
@@ -90,7 +111,7 @@ std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics&
       (fits(target, in, poseAt(share)) ? low : high) = share;
     }
     const bool beyond = i % kBeyondEvery == kBeyondEvery - 1;
-    views.push_back(poseAt(beyond ? kBeyond * low : draws.uniform(0.75, 1) * low));
+    views.push_back(poseAt(beyond ? kBeyond * low : draws.uniform(0.9, 1) * low));
   }
   return views;
 }

@@ -16,7 +16,6 @@ using namespace simulator;  // the room's own parts
 
 namespace {
 
-constexpr double kUsualExposureMs = 15;
 constexpr double kDegree = std::numbers::pi / 180;
 const Point2 kFieldMiddle(0, 86);
 
@@ -109,12 +108,6 @@ Expected<void> check(const VirtualPlateSettings& s) {
       return inputError("fault " + fault.kind,
                         "means nothing to a plate; there are black, saturated, move=NUMBER, turn=NUMBER");
   return {};
-}
-
-Effects exposedFor(const Effects& effects, double exposureMs) {
-  Effects exposed = effects;
-  exposed.ambientDn *= exposureMs / kUsualExposureMs;
-  return exposed;
 }
 
 /// The light of every visible px of line in all cameras of one scene, off a twin without noise.

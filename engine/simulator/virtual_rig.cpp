@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kExpansionPerK = 11.5e-6;
 constexpr double kReferenceC = 15;
-constexpr double kExposureS = 0.015;
 // Chords of the rendered outline stay this close to it; coarser where the truth is drawn only.
 constexpr double kRenderSagittaMm = 5e-4, kRenderStepMm = 2;
 constexpr double kTruthSagittaMm = 5e-5, kTruthStepMm = 1.5;
@@ -139,6 +138,8 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
     return inputError("spacing", "must lie between 0 and 10,000 mm");
   if (!(settings.speedMmPerS > 0 && settings.speedMmPerS <= 1e5))
     return inputError("speed", "must lie between 0 and 100 m/s");
+  if (!(settings.exposureMs >= 0.01 && settings.exposureMs <= 1e4))
+    return inputError("exposure", "must lie between 0.01 and 10,000 ms");
   if (!(settings.temperatureC >= -50 && settings.temperatureC <= 1200))
     return inputError("temperature", "must lie between -50 and 1200 degrees C");
   auto model = RailModel::create(settings.section, settings.parameters);
@@ -169,14 +170,16 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
     if (auto displaced = models.front().shaper.displaced(law->at(500.0 * i)); !displaced)
       return tl::unexpected<Error>(displaced.error());
 
-  const Effects effects = settings.effects;
+  const Effects effects = exposedFor(settings.effects, settings.exposureMs);
   const RigGeometry geometry = drawRig(settings.rigSeed.value_or(settings.seed));
-  const MotionSettings motion{effects.wander, effects.vibration,
-                              effects.motion * std::min(kExposureS, settings.spacingMm / settings.speedMmPerS)};
+  const MotionSettings motion{
+      effects.wander, effects.vibration,
+      effects.motion * std::min(settings.exposureMs / 1000, settings.spacingMm / settings.speedMmPerS)};
   const std::uint64_t seed = settings.seed;
+  const double exposure = settings.exposureMs / kUsualExposureMs;
   std::unique_ptr<Impl> impl(new Impl{std::move(settings), geometry, std::move(models), std::move(modelOfFault),
                                       *std::move(law), RailMotion(seed, motion),
-                                      FrameRenderer(seed, geometry, effects, 1)});
+                                      FrameRenderer(seed, geometry, effects, exposure)});
   return std::shared_ptr<const VirtualRig>(new VirtualRig(std::move(impl)));
 }
 

@@ -56,6 +56,7 @@ struct VirtualRigSettings {
   std::optional<std::uint64_t> rigSeed;  ///< draws the rig itself; default: the seed
   double spacingMm = 15;
   double speedMmPerS = 1000;
+  double exposureMs = 15;    ///< scales the light, and the ambient; what moves within it is blurred
   double temperatureC = 20;  ///< the rail is that much longer than at 15 degrees C
   Effects effects;
   PerDimension<std::optional<double>> deviationMm{};  ///< constant deviation from nominal in place of the law's

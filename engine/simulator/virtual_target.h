@@ -49,8 +49,10 @@ class VirtualTarget {
 inline constexpr const char* kUsualTarget = "circles:13x9:12:6";
 
 /// Poses that a technician would show: the target fills much of the picture, moved over it, tilted to all sides up to
-/// 35 degrees, within the depth of field; every point in the picture but for a few views.
+/// 35 degrees, within the depth of field; every point in the picture but for a few views. With `throughLight` they are
+/// moved along the line of sight to where that range finder's light plane crosses the target near its middle.
 [[nodiscard]] std::vector<Extrinsics> usualViews(const PlanarTarget& target, const Intrinsics& in, int count,
-                                                 std::uint64_t seed);
+                                                 std::uint64_t seed,
+                                                 const RangeFinderCalibration* throughLight = nullptr);
 
 }  // namespace vignole

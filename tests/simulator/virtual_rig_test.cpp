@@ -353,5 +353,41 @@ TEST(VirtualRig, AMovedCameraSeesTheRailShifted) {
   EXPECT_NEAR((a[0].front() - b[0].front()).norm(), 5.4, 0.8);
 }
 
+TEST(VirtualRig, ExposureScalesTheLightAndTheBlurOfWhatMoves) {
+  VirtualRigSettings s = quiet();
+  s.effects.ambientDn = 12;
+  const Picture usual = render(*make(s), 1, 0);
+  s.exposureMs = 5;
+  const Picture third = render(*make(s), 1, 0);
+  EXPECT_EQ(usual[0], 12);
+  EXPECT_EQ(third[0], 4);
+  int compared = 0;
+  for (std::size_t i = 0; i < usual.size(); ++i)
+    if (usual[i] > 60 && usual[i] < 255) {
+      EXPECT_NEAR(third[i], usual[i] / 3.0, 0.7);
+      ++compared;
+    }
+  EXPECT_GT(compared, 2000);
+  // A rail that shakes: the longer the exposure, the lower the peak of the light that was gathered.
+  s.effects.ambientDn = 0;
+  s.effects.motion = 1;
+  s.effects.vibration = 20;
+  s.spacingMm = 50;
+  const auto sharpness = [&](double ms) {
+    s.exposureMs = ms;
+    const auto rig = make(s);
+    double sum = 0, square = 0;
+    for (std::uint64_t trigger = 0; trigger < 8; ++trigger)
+      for (const std::uint8_t dn : render(*rig, 1, trigger)) {
+        const double light = dn / ms;
+        sum += light, square += light * light;
+      }
+    return square / sum;
+  };
+  EXPECT_LT(sharpness(14), 0.97 * sharpness(3));
+  s.exposureMs = 0;
+  EXPECT_FALSE(VirtualRig::create(s).has_value());
+}
+
 }  // namespace
 }  // namespace vignole

@@ -61,7 +61,8 @@ TEST_P(Derivatives, AgreeWithDifferences) {
       changed[i] += step;
       return reprojected(fromVector(changed, in), pose, point, radius);
     });
-    EXPECT_LT((r.byIntrinsics.col(i) - d).norm(), 1e-6 * std::max(1.0, d.norm())) << name(static_cast<CameraParameter>(i));
+    EXPECT_LT((r.byIntrinsics.col(i) - d).norm(), 1e-6 * std::max(1.0, d.norm()))
+        << name(static_cast<CameraParameter>(i));
   }
   for (int i = 0; i < 6; ++i) {
     const Point2 d = slope(i < 3 ? 1e-6 : 1e-3, [&](double step) {
@@ -70,15 +71,13 @@ TEST_P(Derivatives, AgreeWithDifferences) {
     EXPECT_LT((r.byPose.col(i) - d).norm(), 1e-6 * std::max(1.0, d.norm())) << "pose " << i;
   }
   for (int i = 0; i < 3; ++i) {
-    const Point2 d = slope(1e-3, [&](double step) {
-      return reprojected(in, pose, point + step * Eigen::Vector3d::Unit(i), radius);
-    });
+    const Point2 d = slope(
+        1e-3, [&](double step) { return reprojected(in, pose, point + step * Eigen::Vector3d::Unit(i), radius); });
     EXPECT_LT((r.byPoint.col(i) - d).norm(), 1e-6 * std::max(1.0, d.norm())) << "point " << i;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothModels, Derivatives,
-                         testing::Combine(testing::Bool(), testing::Values(0.0, 8.0)));
+INSTANTIATE_TEST_SUITE_P(BothModels, Derivatives, testing::Combine(testing::Bool(), testing::Values(0.0, 8.0)));
 
 TEST(Reprojection, SeesTheCentreOfTheEllipseOfACircle) {
   Intrinsics in = usualCamera();  // without distortion the shifted point is exact

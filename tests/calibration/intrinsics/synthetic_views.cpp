@@ -58,9 +58,12 @@ Point2 imagedCircleCentre(const Intrinsics& in, const Extrinsics& pose, const Ei
 SyntheticViews syntheticViews(const SyntheticSettings& s, std::mt19937_64& random) {
   SyntheticViews result;
   std::uniform_real_distribution<double> error(-s.targetErrorMm, s.targetErrorMm);
-  for (const Point2& p : s.target.points())
+  const Point2 half(s.target.pitchMm * (s.target.columns - 1) / 2, s.target.pitchMm * (s.target.rows - 1) / 2);
+  for (const Point2& p : s.target.points()) {
+    const Point2 at = (p - half).cwiseQuotient(half);
     result.points.emplace_back(p.x() + (s.targetErrorMm > 0 ? error(random) : 0),
-                               p.y() + (s.targetErrorMm > 0 ? error(random) : 0), 0);
+                               p.y() + (s.targetErrorMm > 0 ? error(random) : 0), s.bendMm * at.x() * at.y());
+  }
   std::normal_distribution<double> noise(0, 1);
   for (int v = 0; v < s.views; ++v) {
     const Extrinsics pose = drawPose(s, random);

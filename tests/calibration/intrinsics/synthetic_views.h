@@ -23,6 +23,7 @@ struct SyntheticSettings {
   double uPx = -1;         ///< what the finder says; negative: noisePx
   double maxTiltDeg = 35;  ///< each view is tilted up to this
   double minTiltDeg = 5;
+  double bendMm = 0;         ///< the target is a saddle, so high in its corners
   double targetErrorMm = 0;  ///< each coordinate uniform within
 };
 
