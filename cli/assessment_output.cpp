@@ -33,8 +33,8 @@ std::string comparisonText(const char* title, const Comparison& comparison) {
                      comparison.uMm[index(d)]);
   for (std::size_t c = 0; c < kCameraCount; ++c) {
     const CameraMovement& m = comparison.cameras[c];
-    text += format("camera %zu has moved by x %+.4f mm, y %+.4f mm, %+.4f deg in the light plane\n", c + 1, m.xMm, m.yMm,
-                   m.turnDeg);
+    text += format("camera %zu has moved by x %+.4f mm, y %+.4f mm, %+.4f deg in the light plane\n", c + 1, m.xMm,
+                   m.yMm, m.turnDeg);
   }
   return text;
 }

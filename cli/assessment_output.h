@@ -18,7 +18,8 @@ namespace vignole::cli {
 [[nodiscard]] nlohmann::ordered_json seamsJson(const std::vector<PairSeam>& seams);
 [[nodiscard]] nlohmann::ordered_json foldsJson(const std::vector<Fold>& folds);
 
-[[nodiscard]] nlohmann::ordered_json assessmentJson(const RigCalibration& calibration, const ExistingCalibration& judged,
+[[nodiscard]] nlohmann::ordered_json assessmentJson(const RigCalibration& calibration,
+                                                    const ExistingCalibration& judged,
                                                     const std::optional<Comparison>& withPrevious,
                                                     const Section& section);
 [[nodiscard]] std::string assessmentText(const RigCalibration& calibration, const ExistingCalibration& judged,

@@ -84,8 +84,7 @@ int run(const Options& o) {
 
   const std::vector<std::string> refusals = refusalsOf(judged->checks);
   if (!o.json.empty())
-    if (const auto written = writeJson(o.json, assessmentJson(*calibration, *judged, withPrevious, *section));
-        !written)
+    if (const auto written = writeJson(o.json, assessmentJson(*calibration, *judged, withPrevious, *section)); !written)
       return fail(written.error());
   if (o.json != "-")
     if (const auto written = writeResult("-", assessmentText(*calibration, *judged, withPrevious)); !written)

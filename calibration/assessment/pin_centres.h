@@ -30,6 +30,13 @@ struct PinCentre {
 };
 [[nodiscard]] PinCentre centreOf(const PinPixels& arc, const RangeFinderCalibration& finder, double radiusMm);
 
+/// The same with the radius free; its standard uncertainty by the noise of the points. For long arcs.
+struct PinRadius {
+  bool valid = false;
+  double mm = 0, uMm = 0;
+};
+[[nodiscard]] PinRadius radiusOf(const PinPixels& arc, const RangeFinderCalibration& finder, double statedMm);
+
 /// Differences of places, each by its own uncertainty: a short arc says much about one direction and little about the
 /// other.
 class Misfit {

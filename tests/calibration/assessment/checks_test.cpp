@@ -8,6 +8,7 @@
 #include "calibration/assessment/comparison.h"
 #include "calibration/assessment/existing_calibration.h"
 #include "calibration/assessment/plane_motion.h"
+#include "calibration/assessment/radius_check.h"
 #include "calibration/assessment/residual_checks.h"
 #include "calibration/assessment/seam_check.h"
 #include "engine/rail/catalogue.h"
@@ -163,6 +164,22 @@ TEST(Seam, ACameraThatMovedIsSeen) {
   uncertain.covariance(t1, t1) = 0.02 * 0.02;
   const auto wide = pairSeams(pinPixels(a), uncertain, a.calibration.pins);
   EXPECT_TRUE(seamShiftCheck(wide).pass()) << seamShiftCheck(wide).words;
+}
+
+TEST(PinRadii, AreThoseOfThePlateOrNot) {
+  const RigAdjustment a = adjustment();
+  PinPlate plate = plate13();
+  const auto right = radiusMisfits(pinPixels(a), a.calibration, plate);
+  for (const RadiusMisfit& m : right) {
+    EXPECT_EQ(m.arcs, 26);
+    EXPECT_LT(std::abs(m.meanMm), 4 * m.uMm);
+  }
+  EXPECT_TRUE(radiusCheck(right).pass()) << radiusCheck(right).words;
+  for (Pin& pin : plate.pins) pin.radiusMm += 0.1;
+  const Check wrong = radiusCheck(radiusMisfits(pinPixels(a), a.calibration, plate));
+  EXPECT_FALSE(wrong.pass());
+  EXPECT_NEAR(wrong.value, 0.1, 0.04);
+  EXPECT_FALSE(radiusCheck({}).done);
 }
 
 TEST(Comparison, TwoOfTheSameAreTheSameWhereverTheirWorldsLie) {
