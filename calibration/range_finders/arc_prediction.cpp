@@ -112,10 +112,6 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
 
   const ArcLight shone(scene);
   arc.offPlanePx = shone.pxPerMmOffPlane();
-  const auto reach = [&](std::size_t i) {
-    const Point2 along(-points[i].normal.y(), points[i].normal.x());
-    return settings.endMarginSigmas * shone.smoothingPx(along);
-  };
   const double brightest = brightestOf(scene, arc);
   const auto smoothing = [&](std::size_t i) {
     return shone.smoothingPx(Point2(-points[i].normal.y(), points[i].normal.x()));
