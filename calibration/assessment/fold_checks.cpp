@@ -52,17 +52,13 @@ Eigen::Matrix2d covarianceOfPlace(const RigCalibration& calibration, int camera,
   return jacobian * calibration.covariance.block<kCameraParameters, kCameraParameters>(at, at) * jacobian.transpose();
 }
 
-std::optional<Held> heldOut(const PinPixels& arc, const RigCalibration& calibration, const std::vector<PlaneMap>& maps,
-                            const Point2& stated, double radiusMm, double uMm) {
-  const PinCentre centre = centreOf(arc, maps[static_cast<std::size_t>(arc.camera)], radiusMm);
+std::optional<Held> heldOut(const PinPixels& arc, const RigCalibration& calibration, const Point2& stated,
+                            double radiusMm, double uMm) {
+  const PinCentre centre = centreOf(arc, calibration.rangeFinders[static_cast<std::size_t>(arc.camera)], radiusMm);
   if (!centre.valid) return {};
   const Eigen::Matrix2d covariance = centre.covariance + uMm * uMm * Eigen::Matrix2d::Identity() +
                                      covarianceOfPlace(calibration, arc.camera, centre.mm);
   return Held{centre.mm, stated, covariance, arc.arcDeg};
-}
-
-std::vector<PlaneMap> mapsOf(const RigCalibration& calibration) {
-  return {calibration.rangeFinders.begin(), calibration.rangeFinders.end()};
 }
 
 }  // namespace
@@ -89,15 +85,13 @@ Expected<std::vector<Fold>> pinFolds(const RigInputs& inputs, const RigAdjustmen
     const auto solved = adjustRig(rest, settings, {{}, job.stop});
     if (!solved) return tl::unexpected(solved.error());
     if (!solved->refusals.empty()) continue;  // too few pins for some picture
-    const std::vector<PlaneMap> maps = mapsOf(solved->calibration);
     FoldSums sums;
     for (const PinPixels& arc : arcs) {
       if (!isLeft(arc.pin)) continue;
       for (const Pin& pin : inputs.plate.pins) {
         if (pin.number != arc.pin) continue;
         const Point2 stated = solved->placements[static_cast<std::size_t>(arc.placement)].worldFromPlate * pin.centreMm;
-        if (const auto held = heldOut(arc, solved->calibration, maps, stated, pin.radiusMm, pin.uCentreMm))
-          sums.add(*held);
+        if (const auto held = heldOut(arc, solved->calibration, stated, pin.radiusMm, pin.uCentreMm)) sums.add(*held);
       }
     }
     folds.push_back(sums.fold(name));
@@ -118,14 +112,12 @@ Expected<std::vector<Fold>> placementFolds(const RigInputs& inputs, const RigAdj
     const auto solved = adjustRig(rest, settings, {{}, job.stop});
     if (!solved) return tl::unexpected(solved.error());
     if (!solved->refusals.empty()) continue;
-    const std::vector<PlaneMap> maps = mapsOf(solved->calibration);
     std::vector<Held> held;
     for (const PinPixels& arc : arcs) {
       if (arc.placement != static_cast<int>(m)) continue;
       for (const CalibratedPin& pin : solved->calibration.pins) {
         if (pin.number != arc.pin) continue;
-        if (auto h = heldOut(arc, solved->calibration, maps, {pin.xMm, pin.yMm}, pin.radiusMm, pin.uMm))
-          held.push_back(*h);
+        if (auto h = heldOut(arc, solved->calibration, {pin.xMm, pin.yMm}, pin.radiusMm, pin.uMm)) held.push_back(*h);
       }
     }
     if (held.size() < 4) continue;

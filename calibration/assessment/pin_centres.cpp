@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "engine/optics/nominal_rig.h"
+
 namespace vignole {
 
 Point2 pixelOf(const RangeFinderCalibration& finder, const Point2& mm) {
@@ -32,13 +34,14 @@ std::vector<PinPixels> pinPixels(const RigAdjustment& adjustment) {
 
 namespace {
 
-/// From the middle of the arc, away from its bulge.
-Point2 roughCentre(const std::vector<PlanePoint>& points, double radiusMm) {
+constexpr std::size_t kFewestPoints = 8;
+
+/// A radius behind the middle of the arc: what a camera sees of a pin bulges towards it.
+Point2 roughCentre(const std::vector<PlanePoint>& points, double radiusMm, const Point2& camera) {
   const PlanePoint &a = points.front(), &m = points[points.size() / 2], &b = points.back();
   const Point2 middle(m.x, m.y), chord(b.x - a.x, b.y - a.y);
   const Point2 across = Point2(-chord.y(), chord.x()).normalized();
-  const double bulge = across.dot(middle - 0.5 * Point2(a.x + b.x, a.y + b.y));
-  return middle - std::copysign(radiusMm, bulge) * across;
+  return middle - std::copysign(radiusMm, across.dot(camera - middle)) * across;
 }
 
 }  // namespace
@@ -47,16 +50,18 @@ namespace {
 
 /// Of A^-1 sum(w g e), the errors e of points k apart correlated by exp(-k^2 / 4 s^2): as a Gaussian filter leaves
 /// them.
-Eigen::Matrix2d covarianceOf(const Eigen::Matrix2d& inverse, const std::vector<Point2>& gradients,
-                             double correlatedPoints) {
+template <int N>
+Eigen::Matrix<double, N, N> covarianceOf(const Eigen::Matrix<double, N, N>& inverse,
+                                         const std::vector<Eigen::Matrix<double, N, 1>>& gradients,
+                                         double correlatedPoints) {
   const double s = std::max(correlatedPoints, 1.0) / 3.5449;  // s = c / (2 sqrt(pi))
   const auto reach = static_cast<std::size_t>(std::ceil(5 * s));
-  Eigen::Matrix2d shared = Eigen::Matrix2d::Zero();
+  Eigen::Matrix<double, N, N> shared = Eigen::Matrix<double, N, N>::Zero();
   for (std::size_t i = 0; i < gradients.size(); ++i)
     for (std::size_t j = i; j < std::min(gradients.size(), i + reach + 1); ++j) {
       const auto apart = static_cast<double>(j - i);
       const double r = correlatedPoints > 1 ? std::exp(-apart * apart / (4 * s * s)) : (j == i ? 1.0 : 0.0);
-      const Eigen::Matrix2d product = r * gradients[i] * gradients[j].transpose();
+      const Eigen::Matrix<double, N, N> product = r * gradients[i] * gradients[j].transpose();
       shared += product;
       if (j != i) shared += product.transpose();
     }
@@ -65,13 +70,15 @@ Eigen::Matrix2d covarianceOf(const Eigen::Matrix2d& inverse, const std::vector<P
 
 }  // namespace
 
-PinCentre centreOf(const PinPixels& arc, const PlaneMap& map, double radiusMm) {
+PinCentre centreOf(const PinPixels& arc, const RangeFinderCalibration& finder, double radiusMm) {
+  const PlaneMap map(finder);
   constexpr int kSteps = 20;
   constexpr double kSettledMm = 1e-7;
   std::vector<PlanePoint> points;
   for (const Point2& px : arc.px) points.push_back(map(px.x(), px.y()));
-  if (points.size() < 3) return {};
-  PinCentre centre{false, roughCentre(points, radiusMm), Eigen::Matrix2d::Zero()};
+  if (points.size() < kFewestPoints) return {};
+  const Point2 camera = cameraCentre(finder.cameraFromWorld).head<2>();
+  PinCentre centre{false, roughCentre(points, radiusMm, camera), Eigen::Matrix2d::Zero()};
   for (int step = 0; step < kSteps; ++step) {
     Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
     Point2 b(0, 0);
@@ -93,10 +100,44 @@ PinCentre centreOf(const PinPixels& arc, const PlaneMap& map, double radiusMm) {
     if (!change.allFinite()) return {};
     centre.mm += change;
     if (change.norm() < kSettledMm) {
-      centre.covariance = covarianceOf(a.inverse(), gradients, arc.correlatedPoints);
+      centre.covariance = covarianceOf<2>(a.inverse(), gradients, arc.correlatedPoints);
       centre.valid = true;
       return centre;
     }
+  }
+  return {};
+}
+
+PinRadius radiusOf(const PinPixels& arc, const RangeFinderCalibration& finder, double statedMm) {
+  constexpr int kSteps = 30;
+  constexpr double kSettledMm = 1e-7;
+  const PinCentre start = centreOf(arc, finder, statedMm);
+  if (!start.valid) return {};
+  const PlaneMap map(finder);
+  Eigen::Vector3d circle(start.mm.x(), start.mm.y(), statedMm);
+  for (int step = 0; step < kSteps; ++step) {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> gradients;
+    for (const Point2& px : arc.px) {
+      const PlanePoint p = map(px.x(), px.y());
+      const Point2 from = Point2(p.x, p.y) - circle.head<2>();
+      const double distance = from.norm();
+      if (!(distance > 0)) return {};
+      const Point2 n = from / distance;
+      const double sigma =
+          std::max(arc.sigmaPx, 1e-4) * std::hypot(p.dxdc * n.x() + p.dydc * n.y(), p.dxdr * n.x() + p.dydr * n.y());
+      const Eigen::Vector3d gradient = Eigen::Vector3d(n.x(), n.y(), 1) / sigma;
+      a += gradient * gradient.transpose();
+      b += gradient * (distance - circle.z()) / sigma;
+      gradients.push_back(gradient);
+    }
+    const Eigen::Matrix3d inverse = a.inverse();
+    const Eigen::Vector3d change = inverse * b;
+    if (!change.allFinite() || change.norm() > statedMm) return {};
+    circle += change;
+    if (change.norm() < kSettledMm)
+      return {true, circle.z(), std::sqrt(covarianceOf<3>(inverse, gradients, arc.correlatedPoints)(2, 2))};
   }
   return {};
 }

@@ -22,13 +22,20 @@ struct PinPixels {
 [[nodiscard]] std::vector<PinPixels> pinPixels(const RigAdjustment& adjustment);
 
 /// Centre of a circle of known radius through an arc of at most half of it, in the world; covariance by the noise of
-/// the points alone.
+/// the points alone. Not valid where the arc is too short for it.
 struct PinCentre {
   bool valid = false;
   Point2 mm{0, 0};
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
-[[nodiscard]] PinCentre centreOf(const PinPixels& arc, const PlaneMap& map, double radiusMm);
+[[nodiscard]] PinCentre centreOf(const PinPixels& arc, const RangeFinderCalibration& finder, double radiusMm);
+
+/// The same with the radius free; its standard uncertainty by the noise of the points. For long arcs.
+struct PinRadius {
+  bool valid = false;
+  double mm = 0, uMm = 0;
+};
+[[nodiscard]] PinRadius radiusOf(const PinPixels& arc, const RangeFinderCalibration& finder, double statedMm);
 
 /// Differences of places, each by its own uncertainty: a short arc says much about one direction and little about the
 /// other.

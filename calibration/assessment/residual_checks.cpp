@@ -76,7 +76,7 @@ ResidualStatistics statisticsOf(const RigAdjustment& adjustment, int camera) {
   return s;
 }
 
-constexpr double kMostAutocorrelation = 0.3, kMostRunsZ = 4, kMostBeyond3 = 0.03, kMostNoiseRatio = 2;
+constexpr double kMostAutocorrelation = 0.1, kMostRunsZ = 4, kMostBeyond3 = 0.03, kMostNoiseRatio = 2;
 
 std::string said(const char* format, double value, int camera) {
   char text[160];
@@ -108,7 +108,7 @@ std::vector<Check> residualChecks(const RigAdjustment& adjustment) {
     };
     const std::size_t w = worst(beyondNoise);
     checks.push_back({"residual whiteness", all[w].samples > 0, std::abs(all[w].autocorrelation),
-                      kMostAutocorrelation + 3 * all[w].uAutocorrelation, "", true,
+                      kMostAutocorrelation + 3.5 * all[w].uAutocorrelation, "", true,
                       said("residuals of camera %d that share no noise are correlated by %.2f", all[w].autocorrelation,
                            static_cast<int>(w) + 1),
                       "look whether pins are worn or dirty, whether the plate moved while it was seen, and whether the "

@@ -22,6 +22,9 @@ Expected<RigChecks> checkRig(const RigInputs& inputs, const RigAdjustmentSetting
   const std::vector<PinPixels> arcs = pinPixels(adjustment);
   result.seams = pairSeams(arcs, adjustment.calibration, adjustment.calibration.pins);
   result.checks.push_back(seamCheck(result.seams));
+  result.checks.push_back(seamShiftCheck(result.seams));
+  result.radii = radiusMisfits(arcs, adjustment.calibration, inputs.plate);
+  result.checks.push_back(radiusCheck(result.radii));
   if (what.pinFolds > 1) {
     auto folds = pinFolds(inputs, settings, adjustment, what.pinFolds, part(job, 0, 0.4));
     if (!folds) return tl::unexpected(folds.error());

@@ -5,6 +5,7 @@
 
 #include "calibration/assessment/comparison.h"
 #include "calibration/assessment/fold_checks.h"
+#include "calibration/assessment/radius_check.h"
 #include "calibration/assessment/residual_checks.h"
 #include "calibration/assessment/seam_check.h"
 
@@ -23,6 +24,7 @@ struct RigChecks {
   std::vector<Fold> pinFolds, placementFolds;
   Reversal reversal;
   std::vector<PairSeam> seams;
+  std::array<RadiusMisfit, kCameraCount> radii;
   std::optional<Comparison> comparison;
 };
 /// `inputs` and `settings` as the adjustment had them. An adjustment that was refused is not checked further: no

@@ -14,12 +14,17 @@ struct PairSeam {
   int pins = 0;
   double rmsMm = 0;       ///< of the two places of a pin, weighted by their certainty
   double expectedMm = 0;  ///< by the noise of the points and the calibration's covariance
-  Point2 meanMm{0, 0};    ///< of first - second
+  Point2 meanMm{0, 0};    ///< of first - second, weighted by certainty
+  double uMeanMm = 0;     ///< standard uncertainty of it, in the direction in which it lies
 };
 /// All pairs that share pins, by this calibration (which need not be the one that the pixels are from). Of `pins` the
 /// radii count.
 [[nodiscard]] std::vector<PairSeam> pairSeams(std::span<const PinPixels> arcs, const RigCalibration& calibration,
                                               std::span<const CalibratedPin> pins);
+/// "seam": pin by pin.
 [[nodiscard]] Check seamCheck(std::span<const PairSeam> seams);
+/// "seam shift": all pins of a pair together. By construction small on the pictures that a calibration was made from,
+/// telling on others.
+[[nodiscard]] Check seamShiftCheck(std::span<const PairSeam> seams);
 
 }  // namespace vignole

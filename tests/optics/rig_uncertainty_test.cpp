@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "engine/optics/plane_map.h"
+
 namespace vignole {
 namespace {
 
@@ -66,6 +68,54 @@ TEST(RigUncertainty, TheSourceOfARigHasItsCovariance) {
     for (int i = 0; i < kRigParameters; ++i)
       for (int j = 0; j < kRigParameters; ++j)
         EXPECT_NEAR(again(i, j), rig.covariance(i, j), 1e-11 * sd[i] * sd[j]) << i << ' ' << j;
+  }
+}
+
+TEST(RigUncertainty, InAnotherWorldPlacesAndTheirUncertaintiesAreTheSame) {
+  RigCalibration rig;
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    RangeFinderCalibration& f = rig.rangeFinders[c];
+    f.cameraFromWorld.rotation =
+        Eigen::AngleAxisd(2.4, Eigen::Vector3d(1, 0.2, 0.1 * static_cast<double>(c)).normalized()).matrix();
+    f.cameraFromWorld.translationMm = {5, -10, 400};
+    f.lightPlane.normal = Eigen::Vector3d(0.01, -0.02, 1).normalized();
+    f.lightPlane.distanceMm = 0.3;
+  }
+  rig.covariance = 1e-6 * covarianceOfRank(30, 8);
+  rig.pins = {{1, 20, 30, 4, 0.003, 0.002}};
+  const Transform2 otherFromWorld{12, -60, 3.0};
+  const RigCalibration other = inWorld(rig, otherFromWorld);
+  const Point2 pin = otherFromWorld * Point2(20, 30);
+  EXPECT_NEAR(other.pins[0].xMm, pin.x(), 1e-12);
+  // How a mapped place moves with the parameters, in both worlds.
+  const auto uncertainty = [](const RigCalibration& r, std::size_t c, Point2& at) {
+    Eigen::Matrix<double, 2, kCameraParameters> jacobian;
+    const PlanePoint p = PlaneMap(r.rangeFinders[c])(500, 400);
+    at = {p.x, p.y};
+    for (int k = 0; k < kCameraParameters; ++k) {
+      std::array<PlanePoint, 2> moved;
+      constexpr double kStep = 1e-7;
+      for (const int side : {0, 1}) {
+        CameraChange change = CameraChange::Zero();
+        change[k] = side == 0 ? -kStep : kStep;
+        RangeFinderCalibration f = r.rangeFinders[c];
+        apply(change, f);
+        moved[static_cast<std::size_t>(side)] = PlaneMap(f)(500, 400);
+      }
+      jacobian.col(k) << (moved[1].x - moved[0].x) / (2 * kStep), (moved[1].y - moved[0].y) / (2 * kStep);
+    }
+    const int block = static_cast<int>(c) * kCameraParameters;
+    return Eigen::Matrix2d(jacobian * r.covariance.block<kCameraParameters, kCameraParameters>(block, block) *
+                           jacobian.transpose());
+  };
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    Point2 before, after;
+    const Eigen::Matrix2d a = uncertainty(rig, c, before), b = uncertainty(other, c, after);
+    EXPECT_LT((otherFromWorld * before - after).norm(), 1e-9);
+    const double cosine = std::cos(otherFromWorld.angleRad), sine = std::sin(otherFromWorld.angleRad);
+    Eigen::Matrix2d turn;
+    turn << cosine, -sine, sine, cosine;
+    EXPECT_LT((turn * a * turn.transpose() - b).norm(), 1e-5 * a.norm());
   }
 }
 
