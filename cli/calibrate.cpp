@@ -14,6 +14,7 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   addCalibrateIntrinsics(*calibrate, exitCode);
   addCalibrateConvert(*calibrate, exitCode);
   addCalibrateExposure(*calibrate, exitCode);
+  addCalibrateRig(*calibrate, exitCode);
   addCalibrateEncoder(*calibrate, exitCode);
 }
 

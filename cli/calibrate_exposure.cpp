@@ -80,13 +80,14 @@ constexpr const char* kFooter =
     "before the last picture is read out: 15 ms are 66 triggers a second.\n"
     "Recommended is the shortest exposure that breaks no limit and whose uncertainty is nearly that of the best.\n"
     "Columns: clipped (worst picture), S/N (median contrast over the noise of a pixel), weak (of the weakest 5 % of a\n"
-    "line, worst picture), found (points against the unclipped exposure that shows most), u (standard uncertainty of "
-    "a\n"
-    "point across the line; clipped lines hide their noise), blur (by motion), max Hz, mm/prof (profiles along the "
-    "rail at that rate), u/m (mean over a\n"
-    "metre).\n"
+    "line, worst picture), found (points against the unclipped exposure that shows most), u (standard uncertainty of\n"
+    "a point across the line; clipped lines hide their noise), blur (by motion), max Hz, mm/prof (profiles along the\n"
+    "rail at that rate or the wanted one), u/m (mean over a metre).\n"
     "Exit code 1: every exposure breaks a limit.\n\n"
-    "Example: vignole-cli calibrate exposure rails/exposure* --calibration rig.toml --speed 1 --rate 66\n";
+    "Example: for t in 5 10 15 20; do vignole-cli simulate rail --out rails/exposure${t}ms --frames 6 --spacing 500 "
+    "\\\n"
+    "           --exposure $t; done\n"
+    "         vignole-cli calibrate exposure rails --calibration rails/exposure5ms/calibration.toml --rate 66\n";
 
 }  // namespace
 

@@ -3,9 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -37,14 +35,6 @@ struct Options {
   double pixelUm = 7.4, toleranceUm = 0, focalMm = 0;
   bool lightDots = false, quiet = false;
 };
-
-std::string nowIsoUtc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc)};
-}
 
 Expected<PlanarTarget> targetOf(const Options& options) {
   auto target = parseTarget(options.target);
@@ -173,7 +163,7 @@ int run(const Options& options) {
   for (const Error& error : seen.errors) code = fail(error);
   if (!calibration) return fail(calibration.error());
   if (seen.views.empty()) return code;
-  calibration->camera.created = nowIsoUtc();
+  calibration->camera.created = isoTimeUtc();
 
   std::vector<ExportedLens> exported;
   if (calibration->accepted()) {

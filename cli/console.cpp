@@ -1,7 +1,9 @@
 #include "cli/console.h"
 
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -22,6 +24,14 @@ Expected<void> writeResult(const std::string& fileOrDash, const std::string& tex
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     return worldError("stdout", "cannot be written; is the reader gone?");
   return {};
+}
+
+std::string isoTimeUtc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
 Expected<void> writeJson(const std::string& fileOrDash, const nlohmann::ordered_json& document) {

@@ -18,6 +18,9 @@ int fail(const Error& error);
 [[nodiscard]] Expected<void> writeResult(const std::string& fileOrDash, const std::string& text);
 [[nodiscard]] Expected<void> writeJson(const std::string& fileOrDash, const nlohmann::ordered_json& document);
 
+/// Now, as files and reports have it: "2026-11-25T03:44:00Z".
+[[nodiscard]] std::string isoTimeUtc();
+
 /// One line on stderr that is overwritten, at most ten times a second, and only if stderr is a terminal.
 class Progress {
  public:

@@ -15,6 +15,7 @@ namespace {
 enum Parameter { kX, kY, kL1, kL2, kL3, kBlur, kOutside, kContrast, kSlopeX, kSlopeY, kParameters };
 using Vector = Eigen::Matrix<double, kParameters, 1>;
 
+constexpr double kHopeless = 0.25;    // of the contrast: no such shape
 constexpr int kRounds = 4;            // the band of pixels follows the ellipse
 constexpr double kFirstPixels = 300;  // are enough for the first round, whose start is rough
 constexpr std::uint8_t kClipped = 254;
@@ -153,6 +154,7 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
         [](Vector& at) { at[kBlur] = EdgeBlur::held(at[kBlur]); }, round == 0 ? PatchEffort::Rough : PatchEffort::Full);
     if (!fit.converged || !fit.parameters.allFinite()) return std::nullopt;
     p = fit.parameters;
+    if (fit.rmsDn > kHopeless * std::abs(p[kContrast]) + 3 * fit.noiseDn) return std::nullopt;
     const Ellipse last = result.ellipse;
     result.ellipse.centrePx = origin + Point2(p[kX], p[kY]);
     result.ellipse.toUnitCircle << p[kL1], p[kL2], 0, p[kL3];
@@ -163,8 +165,8 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
     const double radius = std::sqrt(start.areaPx() / std::numbers::pi);
     if ((result.ellipse.centrePx - origin).norm() > 0.5 * radius + 1) return std::nullopt;
     const double width = 3 * result.blurPx + 1.5;
-    const bool settled =
-        round > 0 && (result.ellipse.centrePx - last.centrePx).norm() < 0.02 && std::abs(width - halfWidth) < 0.5;
+    const bool settled = round > 0 && (result.ellipse.centrePx - last.centrePx).norm() < 0.02 &&
+                         std::abs(width - halfWidth) < 0.1 * halfWidth;
     halfWidth = width;
     if (settled) break;
   }

@@ -17,7 +17,8 @@ using Vector = Eigen::Matrix<double, kParameters, 1>;
 
 constexpr double kLeastRadius = 3, kMostRadius = 10;  // px; lenses bend longer edges
 constexpr double kFade = 2;                           // px over which the patch fades out
-constexpr int kRounds = 3;                            // the patch follows the corner
+constexpr double kHopeless = 0.5;                     // of the contrast: no such shape
+constexpr int kRounds = 5;                            // the patch follows the corner
 constexpr std::uint8_t kClipped = 254;
 
 /// The crossing of two blurred edges.
@@ -148,7 +149,7 @@ std::optional<CornerFit> fitCorner(const ImageView& image, const Corner& start, 
   p[kAngle1] = result.corner.angle1;
   p[kAngle2] = result.corner.angle2;
   p[kBlur] = EdgeBlur::unknownOf(1);
-  double radius = std::clamp(roomPx, kLeastRadius, 0.7 * kMostRadius);
+  double radius = std::clamp(roomPx, kLeastRadius, kMostRadius);
   PatchFit<kParameters> fit;
   for (int round = 0; round < kRounds; ++round) {
     const auto patch = patchOf(image, result.corner.px, radius, origin);
@@ -159,15 +160,16 @@ std::optional<CornerFit> fitCorner(const ImageView& image, const Corner& start, 
         [](Vector& at) { at[kBlur] = EdgeBlur::held(at[kBlur]); }, round == 0 ? PatchEffort::Rough : PatchEffort::Full);
     if (!fit.converged || !fit.parameters.allFinite()) return std::nullopt;
     p = fit.parameters;
+    if (fit.rmsDn > kHopeless * std::abs(p[kHalf]) + 3 * fit.noiseDn) return std::nullopt;
     const Point2 last = result.corner.px;
     result.corner.px = origin + Point2(p[kX], p[kY]);
     result.saturatedShare = patch->saturatedShare;
     result.evenness = evennessOf(*patch, p);
     result.blurPx = EdgeBlur(p[kBlur]).px();
     if ((result.corner.px - origin).norm() > std::max(2.0, 0.3 * roomPx)) return std::nullopt;
-    const double wanted = std::clamp(5 * result.blurPx + kFade, kLeastRadius + kFade, kMostRadius + kFade);
-    const double next = std::clamp(roomPx, kLeastRadius, std::max(wanted, kMostRadius));
-    const bool settled = round > 0 && (result.corner.px - last).norm() < 0.02 && std::abs(next - radius) < 0.5;
+    // A blurred edge needs a longer one to be seen as an edge.
+    const double next = std::clamp(roomPx, kLeastRadius, std::max(3.5 * result.blurPx, kMostRadius));
+    const bool settled = round > 0 && (result.corner.px - last).norm() < 0.02 && std::abs(next - radius) < 0.1 * radius;
     radius = next;
     if (settled) break;
   }

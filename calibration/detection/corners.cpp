@@ -12,6 +12,7 @@ constexpr double kMostTurn = 0.5;    // rad, of the squares' diagonals from one 
 constexpr double kRoomShare = 0.7;   // of the distance of the next edges
 constexpr double kMostMisfit = 0.1;  // of the contrast, beside the noise
 constexpr double kLeastEvenness = 0.5;
+constexpr double kNoiseSlack = 1.5;  // of the noise's variance, known from some hundred pixels
 constexpr double kLeastContrastDn = 4;
 constexpr double kLeastAngle = 0.3;  // rad, between the edges
 
@@ -96,7 +97,7 @@ class Corners : public PatternPoints {
       return std::nullopt;
     if (fit->contrastDn < std::max(kLeastContrastDn, 2 * fit->noiseDn)) return std::nullopt;
     if (fit->evenness < kLeastEvenness) return std::nullopt;
-    const double misfit = std::sqrt(std::max(0.0, fit->rmsDn * fit->rmsDn - 1.2 * fit->noiseDn * fit->noiseDn));
+    const double misfit = std::sqrt(std::max(0.0, fit->rmsDn * fit->rmsDn - kNoiseSlack * fit->noiseDn * fit->noiseDn));
     if (misfit > kMostMisfit * fit->contrastDn) return std::nullopt;
     PatternPoint point;
     point.px = fit->corner.px;

@@ -13,6 +13,7 @@ constexpr double kSquareness = 0.3;                         // of that distance
 constexpr double kMostAreaRatio = 2.2;                      // of neighbours
 // What the model leaves, in shares of the contrast: a circle leaves 1 to 3 %, a square 10 and more.
 constexpr double kMostMisfit = 0.085;
+constexpr double kNoiseSlack = 1.5;  // of the noise's variance, known from some hundred pixels
 constexpr double kLeastContrastDn = 4;
 constexpr double kRoomShare = 0.6;  // of the gap between two dots
 
@@ -104,7 +105,7 @@ class Dots : public PatternPoints {
     const double contrast = std::abs(fit->contrastDn);
     if (contrast < std::max(kLeastContrastDn, 2 * fit->noiseDn)) return std::nullopt;
     // Noise alone is no misfit: it is what half of the pixels show.
-    const double misfit = std::sqrt(std::max(0.0, fit->rmsDn * fit->rmsDn - 1.2 * fit->noiseDn * fit->noiseDn));
+    const double misfit = std::sqrt(std::max(0.0, fit->rmsDn * fit->rmsDn - kNoiseSlack * fit->noiseDn * fit->noiseDn));
     if (misfit > kMostMisfit * contrast) return std::nullopt;
     return point;
   }

@@ -35,7 +35,7 @@ constexpr double kLeastNoiseDn = 0.29;  // 1/sqrt(12): the steps of 8 bits
 constexpr double kSettled = 1e-4;       // of chi2: a hundredth of a standard deviation
 constexpr double kRoughGain = 1e-3;     // of the cost by a step
 constexpr double kRidge = 1e-13;        // of the normal equations, for what a patch does not show at all
-constexpr int kMaxSteps = 40, kScaleSteps = 8;
+constexpr int kRoughSteps = 15, kMaxSteps = 40, kScaleSteps = 8;
 
 inline double median(std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -127,7 +127,8 @@ template <int N, typename Model, typename Held>
   State<N> now(pixels.size()), next(pixels.size());
   now.evaluate(pixels, fit.parameters, model);
   double damping = 1e-3, noise = 0, gain = 1;
-  for (int step = 0; step < kMaxSteps && !fit.converged; ++step) {
+  const int steps = effort == PatchEffort::Rough ? kRoughSteps : kMaxSteps;
+  for (int step = 0; step < steps && !fit.converged; ++step) {
     // A scale that changed with every step might never come to rest.
     if (step < kScaleSteps) noise = now.noise(pixels);
     const Square normal = now.weighted(pixels, [noise](double r) { return huberWeight(r, noise); });
@@ -155,7 +156,7 @@ template <int N, typename Model, typename Held>
     fit.converged = fit.converged || !better;
   }
 
-  fit.converged = fit.converged || gain < kRoughGain;
+  fit.converged = fit.converged || gain < kRoughGain || effort == PatchEffort::Rough;
   fit.noiseDn = noise = now.noise(pixels);
   fit.rmsDn = now.rms(pixels);
   const Square normal = now.weighted(pixels, [noise](double r) { return huberWeight(r, noise); });

@@ -134,17 +134,33 @@ bool frameBeyond(const ImageView& image, const std::map<int, LineEnd>& ends) {
   return votes.carried();
 }
 
+/// The next points could not have been found.
+bool mostlyOutside(const ImageView& image, const std::map<int, LineEnd>& ends) {
+  std::size_t outside = 0;
+  for (const auto& [along, end] : ends) {
+    const double reach = 0.35 * end.step.norm();
+    const Point2 next = end.beyond(1);
+    outside += next.x() < reach || next.y() < reach || next.x() > image.width - 1 - reach ||
+                       next.y() > image.height - 1 - reach
+                   ? 1
+                   : 0;
+  }
+  return 2 * outside > ends.size();
+}
+
 }  // namespace
 
 BorderSides borderSides(const ImageView& image, const FittedLattice& alongRows, const PlanarTarget& target) {
   const int stride = target.pattern == TargetPattern::AsymmetricCircles ? 2 : 1;
-  const auto ended = [&](const LatticePlace& direction) {
+  const auto beyond = [&](const LatticePlace& direction) {
     const auto ends = lineEnds(alongRows, direction, stride);
-    if (target.pattern == TargetPattern::Chessboard) return endOfSquares(image, ends);
-    if (target.pattern == TargetPattern::DotPlate) return frameBeyond(image, ends);
-    return endOfDots(image, ends);
+    const bool margin = target.pattern == TargetPattern::Chessboard ? endOfSquares(image, ends)
+                        : target.pattern == TargetPattern::DotPlate ? frameBeyond(image, ends)
+                                                                    : endOfDots(image, ends);
+    if (margin) return Beyond::Margin;
+    return mostlyOutside(image, ends) ? Beyond::Outside : Beyond::Unknown;
   };
-  return {ended({-1, 0}), ended({1, 0}), ended({0, -1}), ended({0, 1})};
+  return {beyond({-1, 0}), beyond({1, 0}), beyond({0, -1}), beyond({0, 1})};
 }
 
 FrameCorner frameCorner(const ImageView& image, const FittedLattice& alongRows, int sideX, int sideY) {

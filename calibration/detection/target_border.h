@@ -10,10 +10,14 @@
 
 namespace vignole {
 
-/// Of the lattice's own columns and rows: whether its outer line is the target's, since beyond it the picture shows
-/// the margin (circles: no further dots; chessboard: no further squares; dot plate: the frame). False: not known.
+/// What lies beyond an outer line of a lattice, by its own columns and rows.
+enum class Beyond {
+  Unknown,
+  Margin,  ///< circles: no further dots; chessboard: no further squares; dot plate: the frame
+  Outside  ///< the next line would be outside the picture, most of it
+};
 struct BorderSides {
-  bool left = false, right = false, top = false, bottom = false;
+  Beyond left = Beyond::Unknown, right = Beyond::Unknown, top = Beyond::Unknown, bottom = Beyond::Unknown;
 };
 [[nodiscard]] BorderSides borderSides(const ImageView& image, const FittedLattice& alongRows,
                                       const PlanarTarget& target);

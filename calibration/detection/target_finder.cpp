@@ -17,6 +17,7 @@ namespace {
 constexpr double kClippedPoint = 0.15;  // of a point's pixels: it lies in clipped light
 constexpr double kMostClipped = 0.3;    // of the points
 constexpr double kStrayShare = 0.15;    // of a row's points: fewer are strays
+constexpr double kMostU = 1;            // px; what is known no better helps nobody
 constexpr std::size_t kLeastLeft = 6;
 
 template <typename... Values>
@@ -207,7 +208,7 @@ std::string wrongSize(const FittedLattice& lattice, const PlanarTarget& target) 
 
 void label(const FittedLattice& lattice, const Placing& placing, const PlanarTarget& target, TargetView& view) {
   for (const auto& [place, point] : lattice)
-    if (point.saturatedShare <= kClippedPoint)
+    if (point.saturatedShare <= kClippedPoint && point.uPx < kMostU)
       view.points.push_back({indexOf(placed(place, placing), target), point.px, point.uPx});
   std::sort(view.points.begin(), view.points.end(),
             [](const FoundPoint& a, const FoundPoint& b) { return a.index < b.index; });
@@ -221,7 +222,7 @@ bool decided(const std::vector<Placing>& all) {
   return !all.empty();
 }
 
-/// Leaves out placings that have points of the target beyond a side where it ends.
+/// Leaves out placings that would have points of the target beyond a side where the picture shows no place for them.
 void keepWithinBorders(const FittedLattice& lattice, const PlanarTarget& target, const BorderSides& sides,
                        std::vector<Placing>& all) {
   const PlaceBox box = boxOf(placesOf(lattice));
@@ -235,9 +236,16 @@ void keepWithinBorders(const FittedLattice& lattice, const PlanarTarget& target,
       if (there.second < 0) return std::min(a.second, b.second) > 0;
       return std::max(a.second, b.second) < target.rows - 1;
     };
-    return (sides.left && inner({-1, 0})) || (sides.right && inner({1, 0})) || (sides.top && inner({0, -1})) ||
-           (sides.bottom && inner({0, 1}));
+    return (sides.left != Beyond::Outside && inner({-1, 0})) || (sides.right != Beyond::Outside && inner({1, 0})) ||
+           (sides.top != Beyond::Outside && inner({0, -1})) || (sides.bottom != Beyond::Outside && inner({0, 1}));
   });
+}
+
+/// A plain grid of circles has none.
+bool frameSeen(const BorderSides& sides) {
+  int seen = 0;
+  for (const Beyond side : {sides.left, sides.right, sides.top, sides.bottom}) seen += side == Beyond::Margin ? 1 : 0;
+  return seen >= 2;
 }
 
 /// Whether the filled corner of the frame is where the placing has point 0. An unseen corner speaks neither for nor
@@ -275,6 +283,10 @@ std::vector<Placing> placingsOf(const ImageView& image, const FittedLattice& lat
     return all;
   };
   std::vector<Placing> all = allOf(false);
+  if (target.pattern == TargetPattern::DotPlate && !all.empty() && !frameSeen(sides)) {
+    refusal = "no frame is seen around the dots; show it on two sides at least, or state the pattern circles";
+    return {};
+  }
   if (target.pattern == TargetPattern::DotPlate) {
     const auto disagrees = [&](const Placing& p) { return !frameAgrees(image, lattice, target, p); };
     const bool any = !all.empty();

@@ -15,7 +15,9 @@ constexpr double kStartPixels = 2.5e6;   // the search begins at the first level
 constexpr int kLeastSide = 100;          // px, of the coarsest level
 constexpr std::size_t kLeastPoints = 9;  // of a lattice
 constexpr double kLeastShare = 0.25;     // of the target's points
+constexpr double kEnoughShare = 0.6;     // of the target's points
 constexpr std::size_t kMostSeeds = 6000;
+constexpr std::size_t kFirstFits = 12, kLeastOfFirst = 4;
 constexpr int kMostRounds = 12;     // of completing a lattice
 constexpr double kRowShare = 0.15;  // fewer points than that in an outer row are strays
 
@@ -54,14 +56,24 @@ std::optional<LatticeSteps> stepsAt(const ByPlace<Point2>& lattice, const Lattic
   return std::nullopt;
 }
 
+/// Empty where of the first points most turn out to be none: what else stands in rows shall not cost much.
 FittedLattice fitted(const PatternPoints& points, const ByPlace<std::size_t>& lattice) {
   ByPlace<Point2> coarse;
   for (const auto& [place, candidate] : lattice) coarse[place] = points.places()[candidate];
   dropUneven(coarse);
+  std::vector<LatticePlace> order;
+  for (const auto& [place, px] : coarse) order.push_back(place);
+  // Not row by row, so that the first ones lie all over the lattice.
+  std::vector<LatticePlace> spread;
+  constexpr std::size_t kStride = 7;
+  for (std::size_t first = 0; first < kStride; ++first)
+    for (std::size_t i = first; i < order.size(); i += kStride) spread.push_back(order[i]);
   FittedLattice fine;
-  for (const auto& [place, px] : coarse)
-    if (const auto steps = stepsAt(coarse, place))
-      if (const auto point = points.fit(lattice.at(place), *steps)) fine[place] = *point;
+  for (std::size_t i = 0; i < spread.size(); ++i) {
+    if (i == kFirstFits && fine.size() < kLeastOfFirst) return {};
+    if (const auto steps = stepsAt(coarse, spread[i]))
+      if (const auto point = points.fit(lattice.at(spread[i]), *steps)) fine[spread[i]] = *point;
+  }
   return fine;
 }
 
@@ -104,13 +116,14 @@ class Search {
     while (start + 1 < levels.size() &&
            static_cast<double>(levels[start].view().width) * levels[start].view().height > kStartPixels)
       ++start;
-    for (std::size_t i = start; i < levels.size() && !whole_; ++i) lookAt(levels[i]);
-    for (std::size_t i = start; i-- > 0 && !whole_;) lookAt(levels[i]);
+    for (std::size_t i = start; i < levels.size() && !found(); ++i) lookAt(levels[i]);
+    for (std::size_t i = start; i-- > 0 && !found();) lookAt(levels[i]);
     return std::move(best_);
   }
 
  private:
   void lookAt(const PictureLevel& level) {
+    failedCoarse_ = 0;
     if (target_.pattern == TargetPattern::Chessboard) {
       std::vector<Corner> candidates = cornerCandidates(level.view());
       for (Corner& corner : candidates) corner.px = level.inPicture(corner.px);
@@ -119,10 +132,11 @@ class Search {
     }
     lookForDots(level, target_.lightDots);
     // A target that does not say how its dots are may have them light.
-    if (!whole_ && !target_.lightDots) lookForDots(level, true);
+    if (!found() && !target_.lightDots) lookForDots(level, true);
   }
 
   void lookForDots(const PictureLevel& level, bool light) {
+    failedCoarse_ = 0;
     const ImageView view = level.view();
     const int side = std::min(view.width, view.height);
     std::vector<int> windows;
@@ -145,20 +159,27 @@ class Search {
 
   void judge(const PatternPoints& points) {
     const ByPlace<std::size_t> coarse = largestLattice(points, countOf(target_));
-    if (coarse.size() < leastPoints(target_) || coarse.size() <= bestCoarse_) return;
+    if (coarse.size() < leastPoints(target_) || coarse.size() <= bestCoarse_ || coarse.size() <= failedCoarse_) return;
+    failedCoarse_ = coarse.size();
     FittedLattice lattice = fitted(points, coarse);
     complete(points, lattice);
     dropStrays(lattice);
-    if (lattice.size() <= best_.size()) return;
+    if (lattice.size() < leastPoints(target_) || lattice.size() <= best_.size()) return;
     bestCoarse_ = coarse.size();
     best_ = std::move(lattice);
     whole_ = best_.size() >= countOf(target_);
   }
 
+  /// So much of the target that it would not be found again, better, at another level.
+  [[nodiscard]] bool found() const {
+    return static_cast<double>(best_.size()) >= kEnoughShare * static_cast<double>(countOf(target_));
+  }
+
   ImageView picture_;
   const PlanarTarget& target_;
   FittedLattice best_;
-  std::size_t bestCoarse_ = 0;
+  std::size_t bestCoarse_ = 0;    // points of the lattice that became best_, before they were fitted
+  std::size_t failedCoarse_ = 0;  // of the largest that was tried at this level
   bool whole_ = false;
 };
 

@@ -173,9 +173,11 @@ void recommend(ExposureAdvice& advice) {
                                   : " is the shortest exposure whose uncertainty of the line is within " +
                                         percent(advice.settings.tolerance) + " of the best (" +
                                         milliseconds(best->exposureMs) + ")"));
-    advice.reasons.push_back("up to " + printed("%.1f", chosen->highestRateHz) +
-                             " triggers a second: a profile every " + printed("%.1f", chosen->spacingMm) + " mm at " +
-                             printed("%g", advice.settings.motion.speedMPerS) + " m/s");
+    const double rate = 1000 * advice.settings.motion.speedMPerS / chosen->spacingMm;
+    advice.reasons.push_back("it allows " + printed("%.1f", chosen->highestRateHz) + " triggers a second; at " +
+                             printed("%.1f", rate) + " a second and " +
+                             printed("%g", advice.settings.motion.speedMPerS) + " m/s there is a profile every " +
+                             printed("%.1f", chosen->spacingMm) + " mm");
   }
   for (const ExposureRow& row : advice.rows)
     for (const std::string& limit : row.limits) advice.reasons.push_back(milliseconds(row.exposureMs) + ": " + limit);

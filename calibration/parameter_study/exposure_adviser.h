@@ -47,8 +47,8 @@ struct ExposureSettings {
   std::optional<double> rateHz;   ///< triggers that are wanted; none: any rate will do
   bool takenAtRest = false;       ///< the pictures do not hold the smear yet: it is added to the line's uncertainty
   std::optional<double> mmPerPx;  ///< across the line, where no calibration tells it
-  double maxSaturated = 0.02;     ///< share of a picture's line that may be clipped
-  double minWeakSnr = 6;          ///< at the weakest 5 % of a line; 6: about 0.1 px with sigma 3
+  double maxSaturated = 0.05;     ///< share of a picture's line that may be clipped
+  double minWeakSnr = 5;          ///< at the weakest 5 % of a line; 5 leaves about 0.1 px (0.5 noise over contrast)
   double maxBlurPx = 1;           ///< motion; widens a line of 3 px by 5 %
   double minCoverage = 0.95;      ///< of the line's points, against the unclipped exposure that shows most of them
   double tolerance = 0.1;         ///< a shorter exposure is taken if its uncertainty is no more than this larger

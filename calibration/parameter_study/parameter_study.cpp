@@ -27,20 +27,22 @@ const ResponseWords& wordsOf(Response response) { return kWords[static_cast<std:
 
 double valueOf(const StudyUnit& unit, Response response) { return unit.values[static_cast<std::size_t>(response)]; }
 
-/// Blocks: cameras and placements; which of them a run observes does not depend on its settings.
+/// Blocks: what a response is observed on. Which of them a run observes does not depend on its settings.
+std::pair<int, int> blockOf(const StudyUnit& unit, Response response) {
+  if (response == Response::DimensionU || response == Response::Time) return {-1, -1};
+  return {unit.camera, response == Response::Reprojection ? -1 : unit.placement};
+}
+
 std::vector<Observation> observationsOf(const std::vector<StudyRun>& runs, Response response, bool logarithmic) {
   std::map<std::pair<int, int>, int> blocks;
-  for (const StudyRun& run : runs)
-    for (const StudyUnit& unit : run.units) blocks.emplace(std::pair(unit.camera, unit.placement), 0);
-  int next = 0;
-  for (auto& [unit, index] : blocks) index = next++;
   std::vector<Observation> observations;
   for (const StudyRun& run : runs) {
     if (run.confirmation) continue;
     for (const StudyUnit& unit : run.units)
-      if (const double value = valueOf(unit, response); std::isfinite(value))
-        observations.push_back(
-            {run.combination, blocks.at({unit.camera, unit.placement}), logarithmic ? std::log(value) : value});
+      if (const double value = valueOf(unit, response); std::isfinite(value)) {
+        const int block = blocks.emplace(blockOf(unit, response), static_cast<int>(blocks.size())).first->second;
+        observations.push_back({run.combination, block, logarithmic ? std::log(value) : value});
+      }
   }
   return observations;
 }

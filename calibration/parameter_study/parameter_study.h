@@ -24,8 +24,8 @@ enum class Response {
   Rd,            ///< mm
   Pd,            ///< mm
   PdNominal,     ///< mm, about the stated centres
-  Reprojection,  ///< mean, px, of a camera over its placements
-  DimensionU,    ///< root mean square of the dimensions' standard uncertainties, mm, of a whole run
+  Reprojection,  ///< mean, px, of a camera in one calibration
+  DimensionU,    ///< root mean square of the dimensions' standard uncertainties, mm, of one calibration
   Time           ///< s, of a whole run
 };
 inline constexpr std::size_t kResponseCount = 9;

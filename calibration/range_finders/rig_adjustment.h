@@ -1,5 +1,6 @@
 #pragma once
-// Four range finders brought into one world by a plate with pins (paper section III-B and past it).
+// Four range finders brought into one world by a plate with pins (paper section III-B and past it). The world is the
+// frame of the plate in the first placement of which a picture is used, and with it the rail section's.
 
 #include <array>
 #include <string>
@@ -7,7 +8,8 @@
 
 #include "calibration/intrinsics/calibrated_intrinsics.h"
 #include "calibration/job.h"
-#include "engine/stripe/stripe.h"
+#include "calibration/range_finders/paper_method.h"
+#include "calibration/range_finders/pin_lines.h"
 #include "engine/target/pin_plate.h"
 
 namespace vignole {
@@ -16,6 +18,33 @@ enum class RigMethod {
   Joint,      ///< arcs fitted in the light plane, all cameras and placements at once, pins as unknowns with priors
   PerCamera,  ///< the same, each camera by itself, the plate taken as stated
   Paper       ///< direct least-squares ellipses, two filters, four-step association, pose from centres
+};
+/// "joint", "per-camera", "paper".
+[[nodiscard]] std::string_view name(RigMethod method);
+
+/// Whether the plate may improve the intrinsic parameters, within their covariance.
+enum class IntrinsicsUse {
+  Decide,  ///< what leaves the image <-> plane maps less uncertain, by the errors that are stated and measured
+  Held,
+  Freed
+};
+
+/// What the adjustment works on. Parts of it may be left out (placements, the pin of an arc set to 0) to judge the rest.
+struct RigInputs {
+  PinPlate plate;
+  std::array<CalibratedIntrinsics, kCameraCount> cameras;
+  std::vector<PlacementLines> placements;  ///< associated: see association.h (the paper's method does that itself)
+};
+
+struct RigAdjustmentSettings {
+  RigMethod method = RigMethod::Joint;
+  IntrinsicsUse intrinsics = IntrinsicsUse::Decide;
+  double endMarginSigmas = 2;    ///< points closer to an end of the light are left out, in sigmas of the smoothed light
+  double leastLight = 0.3;       ///< of an arc's brightest: darker points, at grazing angles, are left out
+  double outlierSigmas = 3;      ///< residuals count less from here on, and not at all from twice that
+  int maxRounds = 6;             ///< of the pull of bends predicted, and solved with
+  int fewestPins = 6;            ///< in a picture
+  PaperSettings paper;
 };
 
 struct SpreadMm {
@@ -30,14 +59,19 @@ struct PinView {
   std::string reason;  ///< why not used
   double arcDeg = 0;
   int points = 0;
-  double cdMm = 0, rdMm = 0, pdMm = 0, pdNominalMm = 0;  ///< optics design, section 1.6; radius free
-  std::vector<Point2> pointsInWorld;                     ///< for Fig. 8d
+  double cdMm = 0, rdMm = 0, pdMm = 0, pdNominalMm = 0;  ///< optics design, section 1.6; radius free, plate as stated
+  double leaveOneOutMm = 0;  ///< distance of the centre from where all the other pins put it
+  std::vector<Point2> pointsInWorld;  ///< for Fig. 8d; what the filter pulls them inwards by is taken off
+  std::vector<double> residualPx;     ///< of each of them, outwards: how far the line lies off the pin in the picture
 };
 
 struct RangeFinderFit {
   SpreadMm cd, rd, pd, pdNominal;  ///< Table IV, over the pins used
   double reprojectionPx = 0;       ///< mean distance of points and arcs in the image
   double rmsPx = 0;
+  double noisePx = 0;         ///< standard deviation of a point of the ridge by its residuals
+  double expectedNoisePx = 0;  ///< and by the noise of the pictures
+  double correlatedPoints = 1;  ///< neighbours that share their error
 };
 
 struct PlacedPlate {
@@ -58,5 +92,10 @@ struct RigAdjustment {
   std::vector<std::string> warnings;
   double solveS = 0;
 };
+
+/// An error is one of input (fewer placements than one, a job cancelled); what the pictures do not bear is refused in
+/// the result. Deterministic.
+[[nodiscard]] Expected<RigAdjustment> adjustRig(const RigInputs& inputs, const RigAdjustmentSettings& settings,
+                                                const Job& job);
 
 }  // namespace vignole

@@ -51,6 +51,34 @@ void apply(const RigChange& change, RigCalibration& rig) {
           rig.rangeFinders[static_cast<std::size_t>(camera)]);
 }
 
+RigCalibration inWorld(const RigCalibration& rig, const Transform2& otherFromWorld) {
+  RigCalibration moved = rig;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(otherFromWorld.angleRad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Vector3d shift(otherFromWorld.xMm, otherFromWorld.yMm, 0);
+  Eigen::MatrixXd otherChange = Eigen::MatrixXd::Identity(kRigParameters, kRigParameters);
+  for (int camera = 0; camera < kCameraCount; ++camera) {
+    RangeFinderCalibration& finder = moved.rangeFinders[static_cast<std::size_t>(camera)];
+    finder.cameraFromWorld.rotation = finder.cameraFromWorld.rotation * turn.transpose();
+    const Eigen::Vector3d inCamera = finder.cameraFromWorld.rotation * shift;
+    finder.cameraFromWorld.translationMm -= inCamera;
+    finder.lightPlane.normal = turn * finder.lightPlane.normal;
+    finder.lightPlane.distanceMm += finder.lightPlane.normal.dot(shift);
+    // t' = t - R' shift, and a small turn w moves R' shift by w x (R' shift).
+    Eigen::Matrix3d cross;
+    cross << 0, -inCamera.z(), inCamera.y(), inCamera.z(), 0, -inCamera.x(), -inCamera.y(), inCamera.x(), 0;
+    const int at = camera * kCameraParameters;
+    otherChange.block<3, 3>(at + static_cast<int>(CameraParameter::T1),
+                            at + static_cast<int>(CameraParameter::TurnX)) = cross;
+  }
+  for (CalibratedPin& pin : moved.pins) {
+    const Point2 at = otherFromWorld * Point2(pin.xMm, pin.yMm);
+    pin.xMm = at.x();
+    pin.yMm = at.y();
+  }
+  if (rig.covariance.size() > 0) moved.covariance = otherChange * rig.covariance * otherChange.transpose();
+  return moved;
+}
+
 ErrorSource errorSource(const RigCalibration& rig) {
   ErrorSource source{"calibration", {}};
   source.effects.resize(kRigParameters, 0);

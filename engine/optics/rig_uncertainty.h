@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/geometry/transform2.h"
 #include "engine/optics/calibration.h"
 
 namespace vignole {
@@ -28,6 +29,10 @@ using RigChange = Eigen::Matrix<double, kRigParameters, 1>;  ///< camera 1 first
 /// Adds a small change.
 void apply(const CameraChange& change, RangeFinderCalibration& finder);
 void apply(const RigChange& change, RigCalibration& rig);
+
+/// The same rig in a world that lies elsewhere in the plane: poses, light planes, pins and the covariance go along (the
+/// translation of a camera is that of the world's origin, so its error is another one there).
+[[nodiscard]] RigCalibration inWorld(const RigCalibration& rig, const Transform2& otherFromWorld);
 
 /// A cause of error that is independent of all others. Each column is what one standard deviation of one of its
 /// independent parts does to the rig's parameters: its covariance is effects * effects^T.

@@ -84,7 +84,8 @@ Point2 PrintedTarget::shiftAt(const Point2& at) const {
   const int i = std::min(static_cast<int>(u), target_.columns - 2), j = std::min(static_cast<int>(v), target_.rows - 2);
   const double s = u - i, t = v - j;
   const auto shift = [&](int column, int row) -> const Point2& {
-    return shifts_[static_cast<std::size_t>(row * target_.columns + column)];
+    const int index = row * target_.columns + column;
+    return shifts_[static_cast<std::size_t>(index)];
   };
   return (1 - t) * ((1 - s) * shift(i, j) + s * shift(i + 1, j)) +
          t * ((1 - s) * shift(i, j + 1) + s * shift(i + 1, j + 1));

@@ -94,7 +94,7 @@ TEST(ExposureAdvice, TakesTheShortestThatIsNearlyAsGoodAsTheBest) {
   EXPECT_EQ(advice->exposureMs, 15);
   EXPECT_THAT(reasons(*advice),
               testing::AllOf(testing::HasSubstr("30 ms: saturated"), testing::HasSubstr("2 ms: too dark"),
-                             testing::HasSubstr("66.7 triggers a second")));
+                             testing::HasSubstr("it allows 66.7 triggers a second")));
 }
 
 TEST(ExposureAdvice, TheWantedRateLimitsTheExposure) {

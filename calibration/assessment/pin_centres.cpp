@@ -1,0 +1,139 @@
+#include "calibration/assessment/pin_centres.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace vignole {
+
+Point2 pixelOf(const RangeFinderCalibration& finder, const Point2& mm) {
+  const LightPlane& plane = finder.lightPlane;
+  const double z = (plane.distanceMm - plane.normal.head<2>().dot(mm)) / plane.normal.z();
+  return project<double>(lens(finder.intrinsics), finder.cameraFromWorld.rotation, finder.cameraFromWorld.translationMm,
+                         {mm.x(), mm.y(), z});
+}
+
+std::vector<PinPixels> pinPixels(const RigAdjustment& adjustment) {
+  std::vector<PinPixels> all;
+  for (const PinView& view : adjustment.pins) {
+    if (!view.used || view.pointsInWorld.size() < 3) continue;
+    const auto c = static_cast<std::size_t>(view.camera);
+    PinPixels arc{view.pin,
+                  view.camera,
+                  view.placement,
+                  {},
+                  adjustment.finders[c].noisePx,
+                  adjustment.finders[c].correlatedPoints,
+                  view.arcDeg};
+    for (const Point2& p : view.pointsInWorld) arc.px.push_back(pixelOf(adjustment.calibration.rangeFinders[c], p));
+    all.push_back(std::move(arc));
+  }
+  return all;
+}
+
+namespace {
+
+/// From the middle of the arc, away from its bulge.
+Point2 roughCentre(const std::vector<PlanePoint>& points, double radiusMm) {
+  const PlanePoint &a = points.front(), &m = points[points.size() / 2], &b = points.back();
+  const Point2 middle(m.x, m.y), chord(b.x - a.x, b.y - a.y);
+  const Point2 across = Point2(-chord.y(), chord.x()).normalized();
+  const double bulge = across.dot(middle - 0.5 * Point2(a.x + b.x, a.y + b.y));
+  return middle - std::copysign(radiusMm, bulge) * across;
+}
+
+}  // namespace
+
+namespace {
+
+/// Of A^-1 sum(w g e), the errors e of points k apart correlated by exp(-k^2 / 4 s^2): as a Gaussian filter leaves
+/// them.
+Eigen::Matrix2d covarianceOf(const Eigen::Matrix2d& inverse, const std::vector<Point2>& gradients,
+                             double correlatedPoints) {
+  const double s = std::max(correlatedPoints, 1.0) / 3.5449;  // s = c / (2 sqrt(pi))
+  const auto reach = static_cast<std::size_t>(std::ceil(5 * s));
+  Eigen::Matrix2d shared = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < gradients.size(); ++i)
+    for (std::size_t j = i; j < std::min(gradients.size(), i + reach + 1); ++j) {
+      const auto apart = static_cast<double>(j - i);
+      const double r = correlatedPoints > 1 ? std::exp(-apart * apart / (4 * s * s)) : (j == i ? 1.0 : 0.0);
+      const Eigen::Matrix2d product = r * gradients[i] * gradients[j].transpose();
+      shared += product;
+      if (j != i) shared += product.transpose();
+    }
+  return inverse * shared * inverse;
+}
+
+}  // namespace
+
+PinCentre centreOf(const PinPixels& arc, const PlaneMap& map, double radiusMm) {
+  constexpr int kSteps = 20;
+  constexpr double kSettledMm = 1e-7;
+  std::vector<PlanePoint> points;
+  for (const Point2& px : arc.px) points.push_back(map(px.x(), px.y()));
+  if (points.size() < 3) return {};
+  PinCentre centre{false, roughCentre(points, radiusMm), Eigen::Matrix2d::Zero()};
+  for (int step = 0; step < kSteps; ++step) {
+    Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
+    Point2 b(0, 0);
+    std::vector<Point2> gradients;  // over the standard uncertainty of each point
+    for (const PlanePoint& p : points) {
+      const Point2 from = Point2(p.x, p.y) - centre.mm;
+      const double distance = from.norm();
+      if (!(distance > 0)) return {};
+      const Point2 n = from / distance;
+      // A step of 1 px along the normal is this many mm of the radius.
+      const double gx = p.dxdc * n.x() + p.dydc * n.y(), gy = p.dxdr * n.x() + p.dydr * n.y();
+      const double sigma = std::max(arc.sigmaPx, 1e-4) * std::hypot(gx, gy), weight = 1 / (sigma * sigma);
+      a += weight * n * n.transpose();
+      gradients.emplace_back(n / sigma);
+      b += weight * (distance - radiusMm) * n;
+    }
+    if (!(a.determinant() > 1e-9 * a.trace() * a.trace())) return {};
+    const Point2 change = a.inverse() * b;
+    if (!change.allFinite()) return {};
+    centre.mm += change;
+    if (change.norm() < kSettledMm) {
+      centre.covariance = covarianceOf(a.inverse(), gradients, arc.correlatedPoints);
+      centre.valid = true;
+      return centre;
+    }
+  }
+  return {};
+}
+
+void Misfit::add(const Point2& differenceMm, const Eigen::Matrix2d& covariance) {
+  const Eigen::Matrix2d information = covariance.inverse();
+  chi2_ += differenceMm.dot(information * differenceMm);
+  information_ += information.trace();
+  ++count_;
+}
+double Misfit::rmsMm() const { return information_ > 0 ? std::sqrt(chi2_ / information_) : 0; }
+double Misfit::expectedMm() const { return information_ > 0 ? std::sqrt(2 * count_ / information_) : 0; }
+Misfit& Misfit::operator+=(const Misfit& other) {
+  chi2_ += other.chi2_;
+  information_ += other.information_;
+  count_ += other.count_;
+  return *this;
+}
+
+Eigen::Matrix<double, 2, kCameraParameters> placeJacobian(const RangeFinderCalibration& finder, const Point2& px) {
+  // Steps that move a place by about a micrometre.
+  constexpr std::array<double, kCameraParameters> kSteps = {1e-4, 1e-7, 1e-2, 1e-2, 1e-7, 1e-7, 1e-8, 1e-9,
+                                                            1e-7, 1e-7, 1e-5, 1e-5, 1e-5, 1e-3, 1e-3, 1e-3};
+  Eigen::Matrix<double, 2, kCameraParameters> jacobian;
+  for (int k = 0; k < kCameraParameters; ++k) {
+    std::array<Point2, 2> places;
+    for (const int side : {0, 1}) {
+      CameraChange change = CameraChange::Zero();
+      change[k] = (side == 0 ? -1 : 1) * kSteps[static_cast<std::size_t>(k)];
+      RangeFinderCalibration moved = finder;
+      apply(change, moved);
+      const PlanePoint p = PlaneMap(moved)(px.x(), px.y());
+      places[static_cast<std::size_t>(side)] = {p.x, p.y};
+    }
+    jacobian.col(k) = (places[1] - places[0]) / (2 * kSteps[static_cast<std::size_t>(k)]);
+  }
+  return jacobian;
+}
+
+}  // namespace vignole

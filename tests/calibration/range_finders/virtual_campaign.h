@@ -1,0 +1,38 @@
+#pragma once
+// Whole campaigns on the virtual rig: pictures of a plate rendered, lines extracted, as a calibration gets them, with
+// the truth beside.
+
+#include <memory>
+#include <vector>
+
+#include "calibration/range_finders/rig_adjustment.h"
+#include "engine/simulator/virtual_plate.h"
+
+namespace vignole {
+
+struct CampaignSettings {
+  std::uint64_t seed = 1;     ///< of plate, intrinsics, noise
+  std::uint64_t rigSeed = 1;
+  int placements = 4;
+  double plateErrorMm = 0.05;  ///< rectangular; radii a fifth
+  double noisePx = 0.1;        ///< 0: none at all
+  bool intrinsicsErr = true;
+  PinLineSettings lines;
+  PinPlate plate = plate13();
+};
+
+struct Campaign {
+  std::shared_ptr<const VirtualPlate> plate;
+  RigInputs inputs;  ///< not yet associated
+};
+
+[[nodiscard]] Campaign renderCampaign(const CampaignSettings& settings);
+/// As a calibration errs: f by 5e-4, principal point by 1.5 px, kappa by 3e-3 / f^2 (optics design, section 1.8).
+[[nodiscard]] CalibratedIntrinsics disturbedIntrinsics(const RangeFinderCalibration& truth, int camera,
+                                                       std::uint64_t seed);
+/// Every arc's pin by the truth.
+void associateByTruth(Campaign& campaign);
+/// What the calibration is off by, in the parameters of the rig.
+[[nodiscard]] RigChange errorOf(const RigCalibration& found, const RigCalibration& truth);
+
+}  // namespace vignole
