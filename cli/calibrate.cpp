@@ -17,6 +17,7 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   addCalibrateRig(*calibrate, exitCode);
   addCalibrateEncoder(*calibrate, exitCode);
   addCalibrateAssess(*calibrate, exitCode);
+  addCalibrateStudy(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli
