@@ -16,6 +16,7 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   addCalibrateExposure(*calibrate, exitCode);
   addCalibrateRig(*calibrate, exitCode);
   addCalibrateEncoder(*calibrate, exitCode);
+  addCalibrateStudy(*calibrate, exitCode);
   addCalibrateAssess(*calibrate, exitCode);
 }
 
