@@ -212,3 +212,53 @@ TEST(Scratch, Bias) {
   show("end", byEnd); show("frac", byAngle); show("pin", byPin); show("light", byStrength);
 }
 }
+
+#include <random>
+#include <Eigen/Geometry>
+#include "calibration/range_finders/association.h"
+#include "engine/optics/nominal_rig.h"
+namespace vignole {
+TEST(Scratch, Associate) {
+  std::mt19937_64 rng(7);
+  std::normal_distribution<double> g;
+  std::uniform_real_distribution<double> u(0, 1);
+  int images = 0, right = 0, refused = 0, wrongImages = 0; double secs = 0;
+  std::map<std::string, int> reasons;
+  for (int k = 0; k < static_cast<int>(env("N", 6)); ++k) {
+    CampaignSettings cs; cs.seed = 500 + k; cs.rigSeed = 900 + k; cs.placements = static_cast<int>(env("PLACEMENTS", 4)); cs.noisePx = env("NOISE", 0.1); cs.spurious = static_cast<int>(env("SPUR", 2));
+    cs.turnDeg = env("TURN", 3) * g(rng); cs.shiftMm = env("SHIFT", 5);
+    Campaign truth = renderCampaign(cs);
+    associateByTruth(truth);
+    for (int rep = 0; rep < static_cast<int>(env("REP", 4)); ++rep) {
+      RigInputs in = truth.inputs;
+      for (auto& pl : in.placements) for (auto& pic : pl.pictures) {
+        std::vector<PinArc> kept;
+        for (auto& a : pic.arcs) if (u(rng) > env("MISS", 0.25)) kept.push_back(a);
+        pic.arcs = kept;
+      }
+      const RigInputs want = in;
+      AssociationSettings as;
+      as.useDrawing = env("DRAWING", 1) > 0;
+      for (auto& f : as.drawing.rangeFinders) {
+        const double rot = env("ROT", 2) * M_PI / 180, mm = env("MM", 10), roll = env("ROLL", 0) * M_PI / 180;
+        Eigen::Vector3d w(rot * g(rng), rot * g(rng), rot * g(rng)); w.z() += roll * g(rng);
+        f.cameraFromWorld.rotation = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix() * f.cameraFromWorld.rotation;
+        f.cameraFromWorld.translationMm = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix() * f.cameraFromWorld.translationMm + mm * Eigen::Vector3d(g(rng), g(rng), g(rng));
+      }
+      auto t0 = std::chrono::steady_clock::now();
+      associate(in, as);
+      secs += std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+      for (std::size_t m = 0; m < in.placements.size(); ++m) for (std::size_t c = 0; c < 4; ++c) {
+        auto& got = in.placements[m].pictures[c]; auto& w = want.placements[m].pictures[c];
+        int ok = 0, wrong = 0, seen = 0;
+        for (std::size_t a = 0; a < got.arcs.size(); ++a) { if (w.arcs[a].pin) ++seen; if (got.usable() && got.arcs[a].pin && got.arcs[a].usable()) (got.arcs[a].pin == w.arcs[a].pin ? ok : wrong)++; }
+        if (seen < 6) continue;
+        ++images;
+        if (!got.usable()) { ++refused; reasons[got.refusal.substr(0, 120) + " seen " + std::to_string(seen)]++; } else if (wrong) { ++wrongImages; if (env("VERB", 0) > 0) for (std::size_t a = 0; a < got.arcs.size(); ++a) if (got.arcs[a].pin && got.arcs[a].pin != w.arcs[a].pin) std::cout << "k " << k << " pl " << m << " cam " << c << " got " << got.arcs[a].pin << " want " << w.arcs[a].pin << " pts " << got.arcs[a].points.size() << "\n"; } else if (ok >= 6) ++right;
+      }
+    }
+  }
+  std::cout << "images " << images << " right " << 100.0 * right / images << " % refused " << refused << " wrong " << wrongImages << " s/image " << secs / images << "\n";
+  for (auto& [r, n] : reasons) std::cout << n << " x " << r << "\n";
+}
+}

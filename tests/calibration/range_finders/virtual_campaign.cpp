@@ -49,6 +49,14 @@ Campaign renderCampaign(const CampaignSettings& settings) {
   virtualPlate.plateErrorMm = settings.plateErrorMm;
   virtualPlate.radiusErrorMm = 0.2 * settings.plateErrorMm;
   virtualPlate.placements = usualPlacements(settings.placements, settings.seed);
+  virtualPlate.spurious = settings.spurious;
+  std::mt19937_64 random(settings.seed);
+  std::normal_distribution<double> normal;
+  for (PlatePlacement& placement : virtualPlate.placements) {
+    placement = turned(placement, settings.turnDeg * M_PI / 180);
+    placement.worldFromPlate.xMm += settings.shiftMm * normal(random);
+    placement.worldFromPlate.yMm += settings.shiftMm * normal(random);
+  }
   if (settings.noisePx > 0) {
     virtualPlate.noisePx = settings.noisePx;
   } else {

@@ -17,6 +17,9 @@ struct CampaignSettings {
   double plateErrorMm = 0.05;  ///< rectangular; radii a fifth
   double noisePx = 0.1;        ///< 0: none at all
   bool intrinsicsErr = true;
+  int spurious = 0;         ///< bright arcs that are no pins, per picture
+  double turnDeg = 0;       ///< the plate turned further in all placements
+  double shiftMm = 0;       ///< and shifted, drawn: standard deviation
   PinLineSettings lines;
   PinPlate plate = plate13();
 };
