@@ -51,11 +51,6 @@ Campaign renderCampaign(const CampaignSettings& settings) {
   virtualPlate.placements = usualPlacements(settings.placements, settings.seed);
   virtualPlate.missingPins = settings.missingPins;
   virtualPlate.spurious = settings.spurious;
-  for (PlatePlacement& placement : virtualPlate.placements) {
-    const Transform2 turn{0, 0, settings.turnRad};
-    placement.worldFromPlate = placement.worldFromPlate * turn;
-  }
-  virtualPlate.spurious = settings.spurious;
   std::mt19937_64 random(settings.seed);
   std::normal_distribution<double> normal;
   for (PlatePlacement& placement : virtualPlate.placements) {

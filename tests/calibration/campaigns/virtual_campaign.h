@@ -26,8 +26,6 @@ struct CampaignSettings {
   PinLineSettings lines;
   PinPlate plate = plate13();
   std::vector<int> missingPins;
-  int spurious = 0;    ///< arcs that are no pins, in each picture
-  double turnRad = 0;  ///< of the plate, about its origin, in every placement
 };
 
 struct Campaign {
