@@ -28,7 +28,8 @@ namespace vignole::cli {
 namespace {
 
 struct Options {
-  std::string plate, method = "joint", out, report, json, rail = "60E1", previous, fit = "halir-flusser";
+  std::string plate, method = "joint", out, report, json, rail = "60E1", previous, fit = "halir-flusser",
+                     association = "four-step";
   std::vector<std::string> placements, intrinsics;
   double sigma = PinLineSettings::pinStripe().sigma;
   PaperSettings paper;
@@ -118,7 +119,7 @@ Expected<RigResult> calibrate(const Options& options, RigMethod method, RigInput
   RigAdjustmentSettings settings;
   settings.method = method;
   settings.paper = options.paper;
-  if (method != RigMethod::Paper) associate(inputs);
+  associate(inputs);  // the paper has a way of its own, but swapped cameras and mirrored plates are told here
   const auto part = [&](double from, double to) {
     return Job{
         [&job, from, to](double share, std::string_view doing) { job.report(from + (to - from) * share, doing); },
@@ -187,6 +188,7 @@ int run(Options& options) {
   const auto fit = ellipseFitNamed(options.fit);
   if (!fit) return fail(fit.error());
   options.paper.fit = *fit;
+  options.paper.fourSteps = options.association == "four-step";
   const auto section = findSection(options.rail);
   if (!section) return fail(section.error());
   PinLineSettings lines;
@@ -248,6 +250,10 @@ void addCalibrateRig(CLI::App& calibrate, int& exitCode) {
                    "paper: t_ec, largest distance of an ellipse and its pin, -1 .. 1")
       ->capture_default_str();
   command->add_option("--max-ellipses", options->paper.maxEllipses, "paper: used for the pose")->capture_default_str();
+  command
+      ->add_option("--association", options->association,
+                   "paper: four-step, or robust, which is that of the other methods (default four-step)")
+      ->check(CLI::IsMember({"four-step", "robust"}));
   command->add_option("--fit", options->fit, "paper: fitzgibbon, halir-flusser or normalised")->capture_default_str();
   command->add_option("--previous", options->previous, "The calibration so far, to compare with");
   command->add_option("--interval-days", options->intervalDays, "Days after which it is to be repeated; 0: never")

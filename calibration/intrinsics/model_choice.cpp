@@ -12,6 +12,8 @@ namespace vignole {
 
 namespace {
 
+constexpr double kTolerance = 1e-8;  // what is left to go moves no prediction that matters
+
 /// The views that have points, dealt out to folds in turn.
 std::vector<std::vector<std::size_t>> foldsOf(const TargetObservations& observations, int wanted) {
   std::vector<std::size_t> views;
@@ -28,6 +30,7 @@ std::vector<double> judgedSquares(const ObservedView& view, std::size_t v, const
                                   const LensVariant& variant, const TargetFit& trained) {
   AdjustmentSettings pose;
   pose.posesOnly = true;
+  pose.tolerance = kTolerance;
   std::vector<double> squares(view.size());
   for (const std::size_t half : {0U, 1U}) {
     TargetObservations fitted{observations.points, observations.radiusMm, {{}}}, judged = fitted;
@@ -45,6 +48,7 @@ void holdOut(const std::vector<std::size_t>& fold, const TargetObservations& obs
   for (const std::size_t v : fold) training.views[v].clear();
   AdjustmentSettings settings;
   settings.target = target;
+  settings.tolerance = kTolerance;
   const TargetFit trained = adjust(training, variant, fit, settings);
   for (const std::size_t v : fold)
     result.squaresPx2[v] = judgedSquares(observations.views[v], v, observations, variant, trained);

@@ -79,8 +79,11 @@ void unflip(const TargetObservations& observations, const LensVariant& variant, 
 
 /// A robust adjustment whose measure of what is far off shrinks with the residuals.
 TargetFit robustly(TargetObservations observations, const LensVariant& variant, TargetFit fit, int rounds) {
+  constexpr int kMaxIterations = 40;  // who is not near by then has started at a wrong place
   AdjustmentSettings robust;
   robust.robust = true;
+  robust.maxIterations = kMaxIterations;
+  robust.tolerance = 1e-6;
   fit.intrinsics = asVariant(fit.intrinsics, variant);
   for (int round = 0; round < rounds; ++round) {
     weigh(observations, unexplainedNoise(observations, residuals(observations, fit)));

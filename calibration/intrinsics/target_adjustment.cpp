@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <ceres/evaluation_callback.h>
 #include <ceres/loss_function.h>
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
@@ -37,29 +38,59 @@ void put(const Eigen::Matrix<double, 2, Columns>& derivatives, double* memory) {
   target = derivatives;
 }
 
+/// The unknowns, in memory that does not move while Ceres holds pointers to it, and what all points of a view share,
+/// worked out once for each place that Ceres tries.
+class Unknowns : public ceres::EvaluationCallback {
+ public:
+  explicit Unknowns(const TargetFit& from)
+      : start(from),
+        intrinsics(toVector(from.intrinsics)),
+        changes(from.cameraFromTarget.size(), Vector6::Zero()),
+        points(from.points),
+        camera(from.intrinsics),
+        poses(from.cameraFromTarget),
+        turnsByChange(changes.size(), Eigen::Matrix3d::Identity()) {}
+
+  void PrepareForEvaluation(bool withDerivatives, bool newPlace) override {
+    if (newPlace) {
+      camera = fromVector(intrinsics, start.intrinsics);
+      for (std::size_t v = 0; v < changes.size(); ++v) poses[v] = moved(start.cameraFromTarget[v], changes[v]);
+    }
+    if (withDerivatives)
+      for (std::size_t v = 0; v < changes.size(); ++v) turnsByChange[v] = turnByVector(changes[v].head<3>());
+  }
+
+  const TargetFit& start;
+  IntrinsicVector intrinsics;
+  std::vector<Vector6> changes;  ///< of the poses
+  std::vector<Eigen::Vector3d> points;
+
+  Intrinsics camera;
+  std::vector<Extrinsics> poses;
+  std::vector<Eigen::Matrix3d> turnsByChange;
+};
+
 /// One observed point: unknowns are the intrinsics, the change of the view's pose, the point.
 class PointResidual : public ceres::SizedCostFunction<2, kIntrinsicParameters, 6, 3> {
  public:
-  PointResidual(const Observation& observation, const Intrinsics& like, const Extrinsics& start, double radiusMm)
-      : observation_(observation), like_(like), start_(start), radiusMm_(radiusMm) {}
+  PointResidual(const Observation& observation, const Unknowns& unknowns, std::size_t view, double radiusMm)
+      : observation_(observation), unknowns_(unknowns), view_(view), radiusMm_(radiusMm) {}
 
   bool Evaluate(const double* const* parameters, double* residual, double** jacobians) const override {
-    const Intrinsics in = fromVector(Eigen::Map<const IntrinsicVector>(parameters[0]), like_);
-    const Eigen::Map<const Vector6> change(parameters[1]);
     const Eigen::Vector3d point = Eigen::Map<const Eigen::Vector3d>(parameters[2]);
-    const Extrinsics pose = moved(start_, change);
+    const Extrinsics& pose = unknowns_.poses[view_];
     const double weight = 1 / observation_.sigmaPx;
     Eigen::Map<Eigen::Vector2d> error(residual);
     if (jacobians == nullptr) {
-      error = weight * (reprojected(in, pose, point, radiusMm_) - observation_.px);
+      error = weight * (reprojected(unknowns_.camera, pose, point, radiusMm_) - observation_.px);
       return error.allFinite();
     }
     Reprojection r;
-    if (!reproject(in, pose, point, radiusMm_, r)) return false;
+    if (!reproject(unknowns_.camera, pose, point, radiusMm_, r)) return false;
     error = weight * (r.px - observation_.px);
     if (jacobians[0] != nullptr) put<kIntrinsicParameters>(weight * r.byIntrinsics, jacobians[0]);
     if (jacobians[1] != nullptr) {
-      r.byPose.leftCols<3>() *= turnByVector(change.head<3>());
+      r.byPose.leftCols<3>() *= unknowns_.turnsByChange[view_];
       put<6>(weight * r.byPose, jacobians[1]);
     }
     if (jacobians[2] != nullptr) put<3>(weight * r.byPoint, jacobians[2]);
@@ -68,8 +99,8 @@ class PointResidual : public ceres::SizedCostFunction<2, kIntrinsicParameters, 6
 
  private:
   Observation observation_;
-  const Intrinsics& like_;
-  const Extrinsics& start_;
+  const Unknowns& unknowns_;
+  std::size_t view_;
   double radiusMm_;
 };
 
@@ -99,18 +130,16 @@ std::vector<int> fixedIntrinsics(const LensVariant& variant) {
   return fixed;
 }
 
-/// The unknowns, in memory that does not move while Ceres holds pointers to it.
 class Adjustment {
  public:
   Adjustment(const TargetObservations& observations, const LensVariant& variant, const TargetFit& start,
              const AdjustmentSettings& settings)
-      : start_(start), settings_(settings), intrinsics_(toVector(start.intrinsics)), points_(start.points) {
-    changes_.assign(start.cameraFromTarget.size(), Vector6::Zero());
+      : settings_(settings), unknowns_(start), problem_(optionsWith(unknowns_)) {
     addViews(observations);
     if (settings.posesOnly)
-      problem_.SetParameterBlockConstant(intrinsics_.data());
+      problem_.SetParameterBlockConstant(unknowns_.intrinsics.data());
     else
-      problem_.SetManifold(intrinsics_.data(),
+      problem_.SetManifold(unknowns_.intrinsics.data(),
                            new ceres::SubsetManifold(kIntrinsicParameters, fixedIntrinsics(variant)));
     holdPoints(observations);
   }
@@ -120,7 +149,7 @@ class Adjustment {
     options.linear_solver_type = ceres::DENSE_SCHUR;
     options.linear_solver_ordering = eliminationOrder();
     options.max_num_iterations = settings_.maxIterations;
-    options.function_tolerance = 1e-10;  // a change of 1e-3 standard deviations, and less
+    options.function_tolerance = settings_.tolerance;
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-12;
     options.num_threads = 1;  // the same numbers whatever the machine
@@ -130,25 +159,26 @@ class Adjustment {
     ceres::Solve(options, &problem_, &summary);
 
     TargetFit fit;
-    fit.intrinsics = fromVector(intrinsics_, start_.intrinsics);
-    for (std::size_t v = 0; v < changes_.size(); ++v)
-      fit.cameraFromTarget.push_back(moved(start_.cameraFromTarget[v], changes_[v]));
-    fit.points = std::move(points_);
+    fit.intrinsics = fromVector(unknowns_.intrinsics, unknowns_.start.intrinsics);
+    for (std::size_t v = 0; v < unknowns_.changes.size(); ++v)
+      fit.cameraFromTarget.push_back(moved(unknowns_.start.cameraFromTarget[v], unknowns_.changes[v]));
+    fit.points = std::move(unknowns_.points);
     fit.converged = summary.IsSolutionUsable() && summary.termination_type == ceres::CONVERGENCE;
     return fit;
   }
 
  private:
+  [[nodiscard]] bool pointsAreFree() const { return settings_.target.free() && !settings_.posesOnly; }
+
   /// Points of the target first where they are unknowns, since there are many; otherwise the poses.
   std::shared_ptr<ceres::ParameterBlockOrdering> eliminationOrder() {
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
     const auto add = [&](double* block, int group) {
       if (problem_.HasParameterBlock(block)) order->AddElementToGroup(block, group);
     };
-    const bool points = settings_.target.free() && !settings_.posesOnly;
-    for (Eigen::Vector3d& point : points_) add(point.data(), points ? 0 : 1);
-    for (Vector6& change : changes_) add(change.data(), points ? 1 : 0);
-    add(intrinsics_.data(), 1);
+    for (Eigen::Vector3d& point : unknowns_.points) add(point.data(), pointsAreFree() ? 0 : 1);
+    for (Vector6& change : unknowns_.changes) add(change.data(), pointsAreFree() ? 1 : 0);
+    add(unknowns_.intrinsics.data(), 1);
     return order;
   }
 
@@ -156,17 +186,16 @@ class Adjustment {
     ceres::LossFunction* loss = settings_.robust ? &cauchy_ : nullptr;
     for (std::size_t v = 0; v < observations.views.size(); ++v)
       for (const Observation& o : observations.views[v])
-        problem_.AddResidualBlock(
-            new PointResidual(o, start_.intrinsics, start_.cameraFromTarget[v], observations.radiusMm), loss,
-            intrinsics_.data(), changes_[v].data(), points_[static_cast<std::size_t>(o.point)].data());
+        problem_.AddResidualBlock(new PointResidual(o, unknowns_, v, observations.radiusMm), loss,
+                                  unknowns_.intrinsics.data(), unknowns_.changes[v].data(),
+                                  unknowns_.points[static_cast<std::size_t>(o.point)].data());
   }
 
   void holdPoints(const TargetObservations& observations) {
-    const bool free = settings_.target.free() && !settings_.posesOnly;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      double* point = points_[i].data();
+    for (std::size_t i = 0; i < unknowns_.points.size(); ++i) {
+      double* point = unknowns_.points[i].data();
       if (!problem_.HasParameterBlock(point)) continue;
-      if (!free) {
+      if (!pointsAreFree()) {
         problem_.SetParameterBlockConstant(point);
         continue;
       }
@@ -175,19 +204,17 @@ class Adjustment {
     }
   }
 
-  static ceres::Problem::Options keepingLoss() {
+  static ceres::Problem::Options optionsWith(Unknowns& unknowns) {
     ceres::Problem::Options options;
     options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    options.evaluation_callback = &unknowns;
     return options;
   }
 
-  const TargetFit& start_;
   AdjustmentSettings settings_;
-  IntrinsicVector intrinsics_;
-  std::vector<Vector6> changes_;
-  std::vector<Eigen::Vector3d> points_;
+  Unknowns unknowns_;
   ceres::CauchyLoss cauchy_{kCauchySigmas};
-  ceres::Problem problem_{keepingLoss()};
+  ceres::Problem problem_;
 };
 
 bool everythingIsSeen(const TargetObservations& observations, const TargetFit& fit) {

@@ -43,6 +43,7 @@ struct AdjustmentSettings {
   bool posesOnly = false;  ///< intrinsics and points stay
   TargetPrior target;
   int maxIterations = 100;
+  double tolerance = 1e-10;  ///< least relative change of the cost to go on: a thousandth of a standard deviation
 };
 
 /// Parameters that the variant has not stay as they are in `start` (see asVariant).

@@ -271,7 +271,7 @@ Expected<ArcAdjustment> adjustArcs(const RigInputs& inputs, const ArcStart& star
     job.report(static_cast<double>(round) / (settings.maxRounds + 1), "adjustment");
     const double placeMm = round == 0 ? kFirstPlaceMm : round == 1 ? kSecondPlaceMm : freedom.pins ? 0.0 : 2 * uPin;
     predict(result.state, result.lights, settings, placeMm, arcs);
-    if (round > 0) refineNoise(result, cameras, freedom, inputs.plate, arcs);
+    if (round > 0 && freedom.pins) refineNoise(result, cameras, inputs.plate, arcs);
     if (round > 1) rejectBadArcs(result.lights, placeMm, arcs);
     std::vector<double> now = pulls(arcs);
     const bool settled = round > 2 && largestChange(before, now) < kSettledPx;

@@ -89,7 +89,7 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
   const Point3 inCamera = finder.cameraFromWorld.rotation * Point3(scene.centreMm.x(), scene.centreMm.y(), 0) +
                           finder.cameraFromWorld.translationMm;
   arc.distanceMm = inCamera.z();
-  scene.smoothingPx2 = arc.correlationPx2 + light.blurAt(arc.distanceMm);
+  scene.smoothingPx2 = arc.filterPx2 + light.blurAt(arc.distanceMm);
 
   std::vector<double> offMm(count);
   double reference = 0;
@@ -135,7 +135,7 @@ void predictArc(const RigState& state, const PlaneMap& map, const CameraLight& l
     if (fromEnd < settings.endMarginSigmas || brightness < settings.leastLight) continue;
     arc.inside[i] = 1;
     arc.lightMisfit[i] = std::log(std::max(points[i].lightDn, 1.0)) - ridge.logLight;
-    if (clipped == 1 && ridge.variancePx2 > arc.correlationPx2 + kNarrowestPx2 + kClearOfClampPx2)
+    if (clipped == 1 && ridge.variancePx2 > arc.filterPx2 + kNarrowestPx2 + kClearOfClampPx2)
       arc.widthMisfit[i] = points[i].variancePx2 - ridge.variancePx2;
   }
 }
@@ -161,13 +161,13 @@ void refineWidths(const std::vector<ArcObservation>& arcs, int camera, CameraLig
   double shared = 1;
   for (const ArcObservation& arc : arcs) {
     if (arc.camera != camera || !arc.used()) continue;
-    shared = arc.correlatedPoints;
+    shared = arc.correlatedPoints(light);
     const double z = (arc.distanceMm - kReferenceMm) * kPerMm;
     for (std::size_t i = 0; i < arc.inside.size(); ++i) {
       const double misfit = arc.widthMisfit[i];
       if (arc.inside[i] == 0 || !(std::abs(misfit) < kLargestWidthMisfitPx2)) continue;
       const double across = arc.offPlanePx.dot(arc.line->points[i].normal);
-      sums.add(Eigen::Vector4d(1, z, z * z, across * across), misfit, arc.weight[i] / arc.correlatedPoints);
+      sums.add(Eigen::Vector4d(1, z, z * z, across * across), misfit, arc.weight[i] / shared);
     }
   }
   if (!(sums.weight > 20 / shared)) return;
@@ -224,7 +224,7 @@ void refineFall(const RigState& state, const std::vector<ArcObservation>& arcs, 
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const double off = rows[k].second - mean / total;
       if (std::abs(off) < kLargestLightMisfit)
-        sums.add(rows[k].first - meanRow / total, off, weights[k] / arc.correlatedPoints);
+        sums.add(rows[k].first - meanRow / total, off, weights[k] / arc.correlatedPoints(light));
     }
   }
   if (!(sums.weight > 20)) return;
@@ -245,6 +245,10 @@ void refineFall(const RigState& state, const std::vector<ArcObservation>& arcs, 
 double CameraLight::blurAt(double distanceMm) const {
   const double z = (distanceMm - kReferenceMm) * kPerMm;
   return std::max(kPixelPx2, blurPx2[0] + z * (blurPx2[1] + z * blurPx2[2]));
+}
+
+double ArcObservation::correlatedPoints(const CameraLight& light) const {
+  return std::max(1.0, 2 * std::sqrt(kHalfTurn * correlationPx2(light)) / spacingPx);
 }
 
 int ArcObservation::pointsUsed() const {
@@ -271,14 +275,11 @@ std::vector<ArcObservation> observations(const RigInputs& inputs, std::span<cons
         arc.pin = static_cast<int>(pin - inputs.plate.pins.begin());
         arc.arc = a;
         arc.line = &line;
-        arc.correlationPx2 = picture.filterVariancePx2;
+        arc.filterPx2 = picture.filterVariancePx2;
         double length = 0;
         for (std::size_t i = 1; i < line.points.size(); ++i)
           length += (line.points[i].px - line.points[i - 1].px).norm();
-        const double spacing = length / static_cast<double>(line.points.size() - 1);
-        // The sum of exp(-d^2 / 4 V) over the neighbours.
-        arc.correlatedPoints =
-            std::max(1.0, 2 * std::sqrt(kHalfTurn * arc.correlationPx2) / std::max(spacing, 0.1));
+        arc.spacingPx = std::max(0.1, length / static_cast<double>(line.points.size() - 1));
         arcs.push_back(std::move(arc));
       }
     }

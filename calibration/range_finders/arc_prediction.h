@@ -28,7 +28,8 @@ struct CameraLight {
   Point2 laserMm{0, 0};
   std::array<Point2, kCameraCount - 1> othersMm{};  ///< the other lasers
   double otherShare = 0.03;  ///< of their light, that comes through the filter
-  double noise = 1;      ///< of the ridge's points, in their own standard uncertainties
+  double noise = 1;        ///< of the ridge's points, in their own standard uncertainties
+  double correlation = 1;  ///< how much further along the line it reaches than the filter's (variances): grain
   double uBlurPx2 = 0, uThicknessMm2 = 0;  ///< standard uncertainties, as far as the widths of the lines tell
 
   [[nodiscard]] double blurAt(double distanceMm) const;
@@ -55,11 +56,15 @@ struct ArcObservation {
   Point2 offPlanePx{0, 0};           ///< ArcLight::pxPerMmOffPlane
   double distanceMm = 0;             ///< from the camera, along its axis
   double arcRad = 0;                 ///< of the whole line
-  double correlatedPoints = 1;       ///< neighbours that share their error
-  double correlationPx2 = 1;         ///< errors d px apart are correlated by exp(-d^2 / 4 this)
+  double filterPx2 = 1;              ///< variance of the line filter
+  double spacingPx = 1;              ///< of the points
 
   [[nodiscard]] bool used() const { return rejected.empty(); }
   [[nodiscard]] int pointsUsed() const;
+  /// Errors d px apart are correlated by exp(-d^2 / 4 this).
+  [[nodiscard]] double correlationPx2(const CameraLight& light) const { return filterPx2 * light.correlation; }
+  /// Neighbours that share their error: the sum of that over all points.
+  [[nodiscard]] double correlatedPoints(const CameraLight& light) const;
 };
 
 /// Arcs of associated pins; those without a pin are left out.

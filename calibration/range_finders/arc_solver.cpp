@@ -31,7 +31,7 @@ std::vector<ArcCostPoint> costPoints(const ArcObservation& arc, const CameraLigh
   for (const std::size_t i : indices) {
     const double sigmaMm = light.noise * arc.sigmaPx[i] * arc.mmPerPx[i];
     points.push_back({arc.line->points[i].px, arc.pullMm[i],
-                      std::sqrt(arc.weight[i] / arc.correlatedPoints) / sigmaMm});
+                      std::sqrt(arc.weight[i] / arc.correlatedPoints(light)) / sigmaMm});
   }
   return points;
 }
@@ -156,12 +156,13 @@ ArcNormals normalsOf(const std::vector<ArcObservation>& arcs, const std::array<C
     // A residual's own standard deviation is that of its point: 1 / sqrt(neighbours that share its error), times the
     // square root of its robust weight.
     Eigen::MatrixXd correlated(count, count);
+    const double reachPx2 = 4 * arc.correlationPx2(lights[camera]), shared = arc.correlatedPoints(lights[camera]);
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index k = 0; k <= i; ++k) {
         const auto a = indices[static_cast<std::size_t>(i)], b = indices[static_cast<std::size_t>(k)];
         const double d = arc.arcPx[a] - arc.arcPx[b];
-        correlated(i, k) = correlated(k, i) = std::exp(-d * d / (4 * arc.correlationPx2)) *
-                                              std::sqrt(arc.weight[a] * arc.weight[b]) / arc.correlatedPoints;
+        correlated(i, k) = correlated(k, i) = std::exp(-d * d / reachPx2) *
+                                              std::sqrt(arc.weight[a] * arc.weight[b]) / shared;
       }
     const Eigen::MatrixXd information = jacobian.transpose() * jacobian;
     const Eigen::MatrixXd noise = jacobian.transpose() * correlated * jacobian;

@@ -1,7 +1,5 @@
 #include "calibration/range_finders/line_noise.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -10,71 +8,81 @@ namespace vignole {
 namespace {
 
 constexpr double kLeast = 0.2, kMost = 20;  // of the noise expected by the picture: beyond, something else is wrong
+// The grain of speckle and the pixels' differences let errors reach further than the filter alone does.
+constexpr double kKnownCorrelation = 1.15, kUKnownCorrelation = 0.15;
+constexpr double kLeastCorrelation = 0.9, kMostCorrelation = 2.5;
+constexpr double kFirstLag = 1.1, kLastLag = 2.8;  // in standard deviations of the filter
 
-struct Scatter {
-  double square = 0;    // of residuals in their standard uncertainties
-  double expected = 0;  // for a noise of 1
+/// Two points of one arc.
+struct Pair {
+  double square;    ///< half the squared difference of their residuals, over the variance of one
+  double distance2; ///< in variances of the filter
 };
 
-/// Residuals about the arc's own circle. Nothing where it is too short to have scatter left.
-Scatter aboutOwnCircle(const ArcObservation& arc) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < arc.inside.size(); ++i)
-    if (arc.inside[i] != 0 && arc.weight[i] > 0.99) indices.push_back(i);
-  const auto count = static_cast<Eigen::Index>(indices.size());
-  if (count < 8) return {};
-  Eigen::MatrixXd design(count, 3), correlation(count, count);
-  Eigen::VectorXd residuals(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const std::size_t a = indices[static_cast<std::size_t>(i)];
-    const double perSigma = 1 / arc.sigmaPx[a];
-    residuals[i] = arc.residualPx[a] * perSigma;
-    design.row(i) = Eigen::RowVector3d(1, std::cos(arc.angleRad[a]), std::sin(arc.angleRad[a])) * perSigma /
-                    arc.mmPerPx[a];
-    for (Eigen::Index k = 0; k <= i; ++k) {
-      const double d = arc.arcPx[a] - arc.arcPx[indices[static_cast<std::size_t>(k)]];
-      correlation(i, k) = correlation(k, i) = std::exp(-d * d / (4 * arc.correlationPx2));
-    }
-  }
-  const Eigen::Matrix3d inverse = (design.transpose() * design).inverse();
-  const Eigen::VectorXd left = residuals - design * (inverse * (design.transpose() * residuals));
-  const double expected = static_cast<double>(count) - (inverse * (design.transpose() * correlation * design)).trace();
-  if (!(expected > 0.05 * static_cast<double>(count))) return {};
-  return {left.squaredNorm(), expected};
+double meanMisfit(const std::vector<Pair>& pairs, double correlation) {
+  double sum = 0;
+  for (const Pair& p : pairs) sum += p.square - (1 - std::exp(-p.distance2 / (4 * correlation)));
+  return sum / static_cast<double>(pairs.size());
 }
 
-Scatter allResiduals(const ArcObservation& arc) {
-  Scatter scatter;
-  for (std::size_t i = 0; i < arc.inside.size(); ++i) {
-    if (arc.inside[i] == 0) continue;
-    scatter.square += arc.weight[i] * std::pow(arc.residualPx[i] / arc.sigmaPx[i], 2);
-    scatter.expected += arc.weight[i];
+/// By how much neighbours differ: what the unknowns took out of the residuals is smooth and hardly in their differences.
+double correlationOf(const std::vector<Pair>& pairs, double independentPoints) {
+  if (pairs.size() < 50) return kKnownCorrelation;
+  double low = 0.3, high = 10;
+  while (high - low > 1e-3) {
+    const double middle = (low + high) / 2;
+    (meanMisfit(pairs, middle) < 0 ? low : high) = middle;  // expected differences fall as correlation grows
   }
-  return scatter;
+  // Each independent point tells the variogram to sqrt(2); its slope by the correlation is about 0.37.
+  const double variance = 2 / (0.37 * 0.37 * std::max(independentPoints, 1.0));
+  const double known = 1 / (kUKnownCorrelation * kUKnownCorrelation);
+  const double both = ((low + high) / 2 / variance + kKnownCorrelation * known) / (1 / variance + known);
+  return std::clamp(both, kLeastCorrelation, kMostCorrelation);
 }
 
 }  // namespace
 
-void refineNoise(ArcAdjustment& adjustment, std::span<const int> cameras, const ArcFreedom& freedom,
-                 const PinPlate& plate, const std::vector<ArcObservation>& arcs) {
-  const bool all = freedom.pins && adjustment.normals.information[static_cast<std::size_t>(cameras.front())].size() > 0;
-  Influence answers;
-  if (all) answers = influence(adjustment, plate, cameras, freedom);
-  for (const int camera : cameras) {
-    Scatter sum;
-    double shared = 1;
+void refineNoise(ArcAdjustment& adjustment, std::span<const int> cameras, const PinPlate& plate,
+                 const std::vector<ArcObservation>& arcs) {
+  const Influence answers = influence(adjustment, plate, cameras, adjustment.freedom);
+  std::vector<Pair> pairs;
+  double independent = 0;
+  for (const int c : cameras) {
+    const auto camera = static_cast<std::size_t>(c);
+    CameraLight& light = adjustment.lights[camera];
+    double square = 0, count = 0, shared = 1;
     for (const ArcObservation& arc : arcs) {
-      if (arc.camera != camera || !arc.used()) continue;
-      const Scatter own = all ? allResiduals(arc) : aboutOwnCircle(arc);
-      sum.square += own.square;
-      sum.expected += own.expected;
-      shared = arc.correlatedPoints;
+      if (arc.camera != c || !arc.used()) continue;
+      shared = arc.correlatedPoints(light);
+      for (std::size_t i = 0; i < arc.inside.size(); ++i) {
+        if (arc.inside[i] == 0) continue;
+        square += arc.weight[i] * std::pow(arc.residualPx[i] / arc.sigmaPx[i], 2);
+        count += arc.weight[i];
+      }
     }
-    if (all) sum.expected -= shared * answers.parameters[static_cast<std::size_t>(camera)];
-    if (!(sum.expected > 10)) continue;
-    adjustment.lights[static_cast<std::size_t>(camera)].noise =
-        std::clamp(std::sqrt(sum.square / sum.expected), kLeast, kMost);
+    const double freedom = count - shared * answers.parameters[camera];
+    if (!(freedom > 0.2 * count)) continue;
+    light.noise = std::clamp(std::sqrt(square / freedom), kLeast, kMost);
+    independent += count / shared;
+
+    for (const ArcObservation& arc : arcs) {
+      if (arc.camera != c || !arc.used()) continue;
+      const double filter = std::sqrt(arc.filterPx2);
+      for (std::size_t i = 0; i < arc.inside.size(); ++i) {
+        if (arc.inside[i] == 0 || arc.weight[i] < 0.99) continue;
+        for (std::size_t k = i + 1; k < arc.inside.size(); ++k) {
+          const double distance = (arc.arcPx[k] - arc.arcPx[i]) / filter;
+          if (distance < kFirstLag || arc.inside[k] == 0 || arc.weight[k] < 0.99) continue;
+          if (distance > kLastLag) break;
+          const double difference =
+              (arc.residualPx[k] / arc.sigmaPx[k] - arc.residualPx[i] / arc.sigmaPx[i]) / light.noise;
+          pairs.push_back({difference * difference / 2, distance * distance});
+        }
+      }
+    }
   }
+  const double correlation = correlationOf(pairs, independent);
+  for (const int c : cameras) adjustment.lights[static_cast<std::size_t>(c)].correlation = correlation;
 }
 
 }  // namespace vignole

@@ -8,10 +8,9 @@
 
 namespace vignole {
 
-/// Sets CameraLight::noise of the cameras. With the pins as unknowns all residuals count, less what the unknowns took
-/// out of them; with the pins as stated their errors are in the residuals, so only what each arc scatters by about its
-/// own circle counts.
-void refineNoise(ArcAdjustment& adjustment, std::span<const int> cameras, const ArcFreedom& freedom,
-                 const PinPlate& plate, const std::vector<ArcObservation>& arcs);
+/// Sets CameraLight::noise and correlation of the cameras by the residuals of an adjustment that has the pins as
+/// unknowns (as stated they would leave their errors in the residuals), less what the unknowns took out of them.
+void refineNoise(ArcAdjustment& adjustment, std::span<const int> cameras, const PinPlate& plate,
+                 const std::vector<ArcObservation>& arcs);
 
 }  // namespace vignole

@@ -114,7 +114,7 @@ void takeCameras(const Solved& solved, const RigInputs& inputs, std::span<const 
     for (const ArcObservation& arc : a.arcs) {
       if (arc.camera != c || !arc.used()) continue;
       blur += a.lights[camera].blurAt(arc.distanceMm);
-      fit.correlatedPoints = arc.correlatedPoints;
+      fit.correlatedPoints = arc.correlatedPoints(a.lights[camera]);
       ++arcs;
       for (std::size_t i = 0; i < arc.inside.size(); ++i)
         if (arc.inside[i] != 0) {
@@ -210,7 +210,14 @@ Expected<void> adjustPerCamera(const RigInputs& inputs, const RigAdjustmentSetti
                                 ", which the world is counted from; repeat that placement or use the method joint");
       continue;
     }
-    const auto solved = solve(inputs, start.start, one, false, settings, job);
+    // How much the lines scatter is told by an adjustment that the pins' errors do not disturb.
+    const auto scatter = adjustArcs(inputs, start.start, observations(inputs, one), {true, true}, settings, job);
+    if (!scatter) return tl::unexpected<Error>(scatter.error());
+    ArcStart again{scatter->state, scatter->lights, reference};
+    again.state.pins = inputs.plate.pins;
+    again.state.finders[static_cast<std::size_t>(c)].intrinsics =
+        inputs.cameras[static_cast<std::size_t>(c)].intrinsics;
+    const auto solved = solve(inputs, again, one, false, settings, job);
     if (!solved) return tl::unexpected<Error>(solved.error());
     takeCameras(*solved, inputs, one, result);
     if (c == 0) {
