@@ -13,6 +13,7 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   calibrate->require_subcommand(1);
   addCalibrateIntrinsics(*calibrate, exitCode);
   addCalibrateConvert(*calibrate, exitCode);
+  addCalibrateLightPlane(*calibrate, exitCode);
   addCalibrateExposure(*calibrate, exitCode);
   addCalibrateEncoder(*calibrate, exitCode);
 }
