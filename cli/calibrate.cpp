@@ -13,9 +13,11 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   calibrate->require_subcommand(1);
   addCalibrateIntrinsics(*calibrate, exitCode);
   addCalibrateConvert(*calibrate, exitCode);
+  addCalibrateLightPlane(*calibrate, exitCode);
   addCalibrateExposure(*calibrate, exitCode);
   addCalibrateRig(*calibrate, exitCode);
   addCalibrateEncoder(*calibrate, exitCode);
+  addCalibrateStudy(*calibrate, exitCode);
   addCalibrateAssess(*calibrate, exitCode);
   addCalibrateStudy(*calibrate, exitCode);
 }

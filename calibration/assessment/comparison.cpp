@@ -108,7 +108,7 @@ Check comparisonCheck(const Comparison& comparison) {
   std::array<char, 320> text{};
   std::snprintf(
       text.data(), text.size(),
-      "the last calibration gives %s %+.4f mm beside this one (u %.4f); camera %zu has moved most, by %.3f mm "
+      "the older calibration gives %s %+.4f mm off the newer one (u %.4f); camera %zu has moved most, by %.3f mm "
       "and %.4f deg",
       std::string(name(worst)).c_str(), comparison.differenceMm[index(worst)], comparison.uMm[index(worst)], most + 1,
       size(most), comparison.cameras[most].turnDeg);

@@ -78,9 +78,29 @@ std::string folderOf(const RigInputs& inputs, std::size_t placement) {
 Check pinsCheck(const std::vector<Fold>& placements) {
   Check check = foldCheck("pins", placements);
   if (!check.done) return check;
+  Misfit all;
+  for (const Fold& fold : placements) all += fold.misfit;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "the pins lie %.4f mm off where %.4f mm are expected", check.value,
+                all.expectedMm());
+  check.words = text.data();
   check.remedy =
       "calibrate again; if the pins do not fit then either, look whether the plate is the one that this calibration "
       "was made with, and undamaged";
+  return check;
+}
+
+Check dimensionsCheck(const Expected<Comparison>& compared) {
+  Check check{"dimensions", true, 1e6, 1, "u", true, "", "calibrate again, and find out what has moved"};
+  if (!compared) {
+    check.words =
+        "what these placements' cameras see of a rail makes none by this calibration (" + compared.error().what + ")";
+    return check;
+  }
+  const Check comparison = comparisonCheck(*compared);
+  check.value = comparison.value;
+  check.limit = comparison.limit;
+  check.words = "beside a calibration by these placements alone, " + comparison.words;
   return check;
 }
 
@@ -185,16 +205,11 @@ Expected<ExistingCalibration> judgeExisting(const RigCalibration& calibration, c
   // By the world of the calibration, in which the section stands where it does in production.
   const RigCalibration fresh = inWorld(adjustment.calibration, worldOf(calibration, adjustment.calibration));
   const auto compared = compare(calibration, fresh, section, parameters);
-  if (!compared) return tl::unexpected(compared.error());
-  result.withNew = *compared;
+  if (compared) result.withNew = *compared;
   result.age = ageOf(calibration, now);
 
   result.checks = {pinsCheck(result.placements), seamCheck(result.seams), seamShiftCheck(result.seams)};
-  Check dimensions = comparisonCheck(result.withNew);
-  dimensions.name = "dimensions";
-  dimensions.refuses = true;
-  dimensions.remedy = "calibrate again, and find out what has moved";
-  result.checks.push_back(std::move(dimensions));
+  result.checks.push_back(dimensionsCheck(compared));
   result.checks.push_back(ageCheck(calibration, result.age));
   return result;
 }

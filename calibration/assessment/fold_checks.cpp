@@ -202,13 +202,13 @@ Expected<Reversal> plateReversal(const RigInputs& inputs, const RigAdjustmentSet
 }
 
 Check reversalCheck(const Reversal& reversal) {
-  constexpr double kMostU = 4;
+  constexpr double kMostU = 5;
   Check check{"plate reversal", reversal.done, 0, kMostU, "u", true, reversal.why, ""};
   if (!reversal.done) return check;
   Dimension worst = Dimension::RH;
   for (const Dimension d : kDimensions) {
     if (d == Dimension::HF || d == Dimension::HR) continue;  // an extreme, and one that its own noise rules
-    const double value = std::abs(reversal.differenceMm[index(d)]) / std::max(1e-3, reversal.uMm[index(d)]);
+    const double value = std::abs(reversal.differenceMm[index(d)]) / std::max(3e-3, reversal.uMm[index(d)]);
     if (value > check.value) {
       check.value = value;
       worst = d;

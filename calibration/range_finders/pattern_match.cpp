@@ -107,7 +107,7 @@ std::vector<Matcher::Guess> Matcher::guesses() const {
              (d.turn * middle - g.turn * middle).norm() < kSameMm;
     };
     if (std::none_of(different.begin(), different.end(), same)) different.push_back(g);
-    if (static_cast<int>(different.size()) >= 2 * settings_.answers) break;
+    if (static_cast<int>(different.size()) >= settings_.answers) break;
   }
   return different;
 }
@@ -233,8 +233,6 @@ std::vector<PatternMatch> Matcher::run() const {
   std::stable_sort(matches.begin(), matches.end(), [](const PatternMatch& a, const PatternMatch& b) {
     return a.pairs.size() != b.pairs.size() ? a.pairs.size() > b.pairs.size() : a.rmsMm < b.rmsMm;
   });
-  if (static_cast<int>(matches.size()) > settings_.answers)
-    matches.resize(static_cast<std::size_t>(settings_.answers));
   return matches;
 }
 

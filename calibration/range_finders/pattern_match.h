@@ -27,7 +27,7 @@ struct PatternMatch {
 struct PatternSettings {
   double radiusMm = 0.35;  ///< by which radii may disagree, beside their uncertainty and 8 %
   double firstGateMm = 12, secondGateMm = 6, lastGateMm = 2.4;  ///< 60, 30, 12 px in the middle of the rig's field
-  int answers = 6;         ///< how many different ones are worked out
+  int answers = 40;        ///< how many different ones are worked out
 };
 
 /// Best first: by the number of pairs, then by rms. Every turn is tried. Answers differ by more than 5 degrees or 8 mm.

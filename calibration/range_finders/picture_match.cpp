@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "calibration/range_finders/pose_from_centres.h"
 #include "engine/geometry/fit.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr double kLeastArcRad = 0.6;     // shorter ones tell no centre
 constexpr double kRoughMm = 0.25;        // rms about a circle, in a plane that is known but roughly
 constexpr double kLargestURadiusMm = 0.5;
+constexpr double kPosePx = 4;            // rms of the centres; they scatter by 0.2 to 1 px
 constexpr double kOnPinMm = 0.6;         // median distance of an arc's points from the circle of its pin
 constexpr double kQuarter = std::numbers::pi / 2;
 
@@ -41,6 +43,36 @@ double sweepRad(const std::vector<Point2>& points, const Point2& centre) {
   const double middle = heading(points[points.size() / 2]);
   return std::abs(std::remainder(heading(points.front()) - middle, 4 * kQuarter)) +
          std::abs(std::remainder(heading(points.back()) - middle, 4 * kQuarter));
+}
+
+/// The pin on whose circle an arc lies, on the side of the camera.
+struct PinUnder {
+  bool found = false;
+  std::size_t pin = 0;
+  double offMm = kOnPinMm;
+};
+PinUnder pinUnder(const std::vector<Point2>& points, const Point2& camera, const PinPlate& plate) {
+  PinUnder best;
+  std::vector<double> off;
+  for (std::size_t p = 0; p < plate.pins.size(); ++p) {
+    const Pin& pin = plate.pins[p];
+    if ((points[points.size() / 2] - pin.centreMm).dot(camera - pin.centreMm) < 0) continue;
+    off.clear();
+    for (const Point2& point : points) off.push_back(std::abs((point - pin.centreMm).norm() - pin.radiusMm));
+    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+    std::nth_element(off.begin(), middle, off.end());
+    if (*middle < best.offMm) best = {true, p, *middle};
+  }
+  return best;
+}
+
+/// Whether two poses put the plate's middle elsewhere, or are the same answer come by twice.
+bool differs(const Extrinsics& a, const Extrinsics& b, const PinPlate& plate) {
+  constexpr double kSameMm = 3;
+  Point2 middle(0, 0);
+  for (const Pin& pin : plate.pins) middle += pin.centreMm / static_cast<double>(plate.pins.size());
+  const Eigen::Vector3d m(middle.x(), middle.y(), 0);
+  return (a.rotation * m + a.translationMm - b.rotation * m - b.translationMm).norm() > kSameMm;
 }
 
 }  // namespace
@@ -72,54 +104,80 @@ PlaneCircles planeCircles(const PinPicture& picture, const Intrinsics& intrinsic
   return found;
 }
 
-PictureMatch matchPicture(const PlaneCircles& circles, const Intrinsics& intrinsics, const Extrinsics& drawing,
+namespace {
+
+/// One answer with the pose that it leads to.
+struct Answer {
+  PatternMatch match;
+  CameraPose pose;
+  int pins = 0;  ///< with their arcs on them
+};
+
+/// Pins that have an arc on their circle from there.
+int pinsWithArcs(const PinPicture& picture, const Intrinsics& intrinsics, const PinPlate& plate,
+                 const Extrinsics& cameraFromPlate) {
+  const PlaneMap map(finderAt(intrinsics, cameraFromPlate));
+  const Point2 camera = cameraCentre(cameraFromPlate).head<2>();
+  std::set<std::size_t> pins;
+  for (const PinArc& arc : picture.arcs)
+    if (const auto on = arc.usable() ? pinUnder(inPlane(arc, map), camera, plate) : PinUnder{}; on.found)
+      pins.insert(on.pin);
+  return static_cast<int>(pins.size());
+}
+
+}  // namespace
+
+PictureMatch matchPicture(const PinPicture& picture, const Intrinsics& intrinsics, const Extrinsics& drawing,
                           const PinPlate& plate, const AssociationSettings& settings) {
+  const PlaneCircles circles = planeCircles(picture, intrinsics, drawing, plate);
   PictureMatch result;
   result.circles = static_cast<int>(circles.circles.size());
   PatternSettings pattern;
   pattern.radiusMm = settings.radiusMm;
-  std::vector<PatternMatch> answers = matchPattern(circles.circles, plate.pins, pattern);
-  std::erase_if(answers, [&](const PatternMatch& m) { return !(m.rmsMm < settings.maxRmsMm); });
+  const Lens<double> camera = lens(intrinsics);
+  std::vector<Answer> answers;
+  for (PatternMatch& match : matchPattern(circles.circles, plate.pins, pattern)) {
+    if (static_cast<int>(match.pairs.size()) + 1 < settings.fewestPins || !(match.rmsMm < settings.maxRmsMm)) continue;
+    // The circles' centres back in the picture: of circles, not of ellipses, so without a bias worth the name.
+    std::vector<PlaneCorrespondence> points;
+    for (const auto& pair : match.pairs) {
+      const Point2& at = circles.circles[static_cast<std::size_t>(pair.circle)].centreMm;
+      points.push_back({plate.pins[static_cast<std::size_t>(pair.pin)].centreMm,
+                        project<double>(camera, drawing.rotation, drawing.translationMm, {at.x(), at.y(), 0})});
+    }
+    const Transform2& turn = match.planeFromPlate;
+    Extrinsics start;
+    start.rotation =
+        drawing.rotation * Eigen::AngleAxisd(turn.angleRad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    start.translationMm = drawing.rotation * Eigen::Vector3d(turn.xMm, turn.yMm, 0) + drawing.translationMm;
+    const auto pose = poseFromCentres(points, intrinsics, start);
+    if (!pose || !(pose->rmsPx < kPosePx)) continue;
+    answers.push_back({std::move(match), *pose, pinsWithArcs(picture, intrinsics, plate, pose->cameraFromPlane)});
+  }
   if (answers.empty()) return result;
+  std::stable_sort(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
+    return a.pins != b.pins ? a.pins > b.pins : a.pose.rmsPx < b.pose.rmsPx;
+  });
   // Of two answers that are as good, the one with the plate as drawn.
-  constexpr double kFloorMm = 0.05;
-  const auto asGood = [&](const PatternMatch& m) {
-    return m.pairs.size() + 2 > answers.front().pairs.size() &&
-           m.rmsMm < settings.uniqueness * std::max(answers.front().rmsMm, kFloorMm);
+  constexpr double kFloorPx = 0.3;
+  const auto asGood = [&](const Answer& a) {
+    return a.pins + 2 > answers.front().pins &&
+           a.pose.rmsPx < settings.uniqueness * std::max(answers.front().pose.rmsPx, kFloorPx);
   };
-  const auto tilt = [](const PatternMatch& m) { return std::abs(m.planeFromPlate.angleRad); };
   std::size_t best = 0;
   for (std::size_t i = 1; i < answers.size(); ++i) {
     if (!asGood(answers[i])) continue;
-    if (std::abs(std::remainder(answers[i].planeFromPlate.angleRad - answers[best].planeFromPlate.angleRad,
-                                4 * kQuarter)) > kQuarter / 2) {
+    const double angle = answers[i].match.planeFromPlate.angleRad, other = answers[best].match.planeFromPlate.angleRad;
+    if (std::abs(std::remainder(angle - other, 4 * kQuarter)) > kQuarter / 2) {
       result.looksAlikeTurned = true;
-      if (tilt(answers[i]) < tilt(answers[best])) best = i;
-    } else {
+      if (std::abs(angle) < std::abs(other)) best = i;
+    } else if (differs(answers[i].pose.cameraFromPlane, answers[best].pose.cameraFromPlane, plate)) {
       result.ambiguous = true;
     }
   }
-  result.match = std::move(answers[best]);
-  if (static_cast<int>(result.match.pairs.size()) < settings.fewestPins || result.ambiguous) return result;
-
-  // The circles' centres back in the picture: of circles, not of ellipses, so without a bias worth the name.
-  const RangeFinderCalibration finder = finderAt(intrinsics, drawing);
-  const Lens<double> camera = lens(intrinsics);
-  std::vector<PlaneCorrespondence> points;
-  for (const auto& pair : result.match.pairs) {
-    const Point2& at = circles.circles[static_cast<std::size_t>(pair.circle)].centreMm;
-    points.push_back({plate.pins[static_cast<std::size_t>(pair.pin)].centreMm,
-                      project<double>(camera, drawing.rotation, drawing.translationMm, {at.x(), at.y(), 0})});
-  }
-  const Transform2& turn = result.match.planeFromPlate;
-  Extrinsics start;
-  start.rotation =
-      drawing.rotation * Eigen::AngleAxisd(turn.angleRad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  start.translationMm = drawing.rotation * Eigen::Vector3d(turn.xMm, turn.yMm, 0) + drawing.translationMm;
-  const auto pose = poseFromCentres(points, intrinsics, start);
-  if (!pose) return result;
-  result.cameraFromPlate = pose->cameraFromPlane;
-  result.found = true;
+  result.pins = answers[best].pins;
+  result.cameraFromPlate = answers[best].pose.cameraFromPlane;
+  result.found = !result.ambiguous && result.pins >= settings.fewestPins;
   return result;
 }
 
@@ -134,32 +192,19 @@ void assignArcs(PinPicture& picture, const Intrinsics& intrinsics, const PinPlat
   for (PinArc& arc : picture.arcs) {
     arc.pin = 0;
     const std::vector<Point2> points = inPlane(arc, map);
-    double best = kOnPinMm;
-    std::size_t of = plate.pins.size();
-    for (std::size_t p = 0; p < plate.pins.size(); ++p) {
-      const Pin& pin = plate.pins[p];
-      if ((points[points.size() / 2] - pin.centreMm).dot(camera - pin.centreMm) < 0) continue;
-      std::vector<double> off;
-      for (const Point2& point : points) off.push_back(std::abs((point - pin.centreMm).norm() - pin.radiusMm));
-      const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-      std::nth_element(off.begin(), middle, off.end());
-      if (*middle < best) {
-        best = *middle;
-        of = p;
-      }
-    }
-    if (of == plate.pins.size()) {
+    const PinUnder on = pinUnder(points, camera, plate);
+    if (!on.found) {
       if (arc.usable()) arc.reason = "no pin of the plate's file is there";
       continue;
     }
-    arc.pin = plate.pins[of].number;
-    const Point2& centre = plate.pins[of].centreMm;
+    arc.pin = plate.pins[on.pin].number;
+    const Point2& centre = plate.pins[on.pin].centreMm;
     const double toCamera = std::atan2(camera.y() - centre.y(), camera.x() - centre.x());
     const auto heading = [&](const Point2& p) {
       return std::remainder(std::atan2(p.y() - centre.y(), p.x() - centre.x()) - toCamera, 4 * kQuarter);
     };
     const double a = heading(points.front()), b = heading(points.back());
-    claims[of].push_back({std::min(a, b), std::max(a, b), best, &arc});
+    claims[on.pin].push_back({std::min(a, b), std::max(a, b), on.offMm, &arc});
   }
   // Two lines on the same stretch of a pin: one of them is something else.
   for (std::vector<Claim>& claim : claims)

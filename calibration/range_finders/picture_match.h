@@ -20,17 +20,17 @@ struct PlaneCircles {
 /// An answer that may be believed, or why there is none.
 struct PictureMatch {
   bool found = false;
-  PatternMatch match;
   Extrinsics cameraFromPlate;  ///< by the pins' centres
   int circles = 0;             ///< how many there were
+  int pins = 0;                ///< that have their arcs by the best answer
   bool ambiguous = false;      ///< another answer is as good
   bool looksAlikeTurned = false;  ///< another answer is as good with the plate turned by half a turn or so
 };
-[[nodiscard]] PictureMatch matchPicture(const PlaneCircles& circles, const Intrinsics& intrinsics,
+[[nodiscard]] PictureMatch matchPicture(const PinPicture& picture, const Intrinsics& intrinsics,
                                         const Extrinsics& drawing, const PinPlate& plate,
                                         const AssociationSettings& settings);
 
-/// Gives each arc of the picture the pin on whose circle it lies, by the pose that was found.
+/// Gives each arc of the picture the pin on whose circle it lies, by picture.cameraFromPlate.
 void assignArcs(PinPicture& picture, const Intrinsics& intrinsics, const PinPlate& plate);
 
 }  // namespace vignole

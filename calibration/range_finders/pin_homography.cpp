@@ -236,12 +236,8 @@ Expected<Extrinsics> poseByHomography(const PinPicture& picture, const Intrinsic
     const auto pose = poseFromCentres(points, intrinsics, poseOf(candidate.h, view.focalPx));
     if (!pose || !(cameraCentre(pose->cameraFromPlane).z() > 0)) continue;
     // Circles in the plane that this pose has are what the drawing's plane has otherwise.
-    const PictureMatch match = matchPicture(planeCircles(picture, intrinsics, pose->cameraFromPlane, plate), intrinsics,
-                                            pose->cameraFromPlane, plate, settings);
-    if (match.found && (!best.found || match.match.pairs.size() > best.match.pairs.size() ||
-                        (match.match.pairs.size() == best.match.pairs.size() &&
-                         match.match.rmsMm < best.match.rmsMm)))
-      best = match;
+    const PictureMatch match = matchPicture(picture, intrinsics, pose->cameraFromPlane, plate, settings);
+    if (match.found && (!best.found || match.pins > best.pins)) best = match;
   }
   if (!best.found)
     return inputError("",

@@ -65,7 +65,9 @@ TEST(StudyPlan, TheFilesThatComeWithTheProgramAreGood) {
   for (const char* file : {"calibration.toml", "methods.toml"}) {
     const auto p = loadStudyPlan(std::filesystem::path(VIGNOLE_SOURCE_DIR) / "resources/studies" / file);
     ASSERT_TRUE(p) << errorOf(p);
-    for (const Combination& run : factorialDesign(p->factors, p->design)->runs) EXPECT_TRUE(trialSettings(*p, run));
+    const auto design = factorialDesign(p->factors, p->design);
+    ASSERT_TRUE(design);
+    for (const Combination& run : design->runs) EXPECT_TRUE(trialSettings(*p, run));
   }
 }
 

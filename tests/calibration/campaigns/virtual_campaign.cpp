@@ -1,4 +1,4 @@
-#include "tests/calibration/range_finders/virtual_campaign.h"
+#include "tests/calibration/campaigns/virtual_campaign.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -49,12 +49,19 @@ Campaign renderCampaign(const CampaignSettings& settings) {
   virtualPlate.plateErrorMm = settings.plateErrorMm;
   virtualPlate.radiusErrorMm = 0.2 * settings.plateErrorMm;
   virtualPlate.placements = usualPlacements(settings.placements, settings.seed);
+  virtualPlate.missingPins = settings.missingPins;
+  virtualPlate.spurious = settings.spurious;
+  std::mt19937_64 random(settings.seed);
+  std::normal_distribution<double> normal;
+  for (PlatePlacement& placement : virtualPlate.placements) {
+    placement = turned(placement, settings.turnDeg * M_PI / 180);
+    placement.worldFromPlate.xMm += settings.shiftMm * normal(random);
+    placement.worldFromPlate.yMm += settings.shiftMm * normal(random);
+  }
   if (settings.noisePx > 0) {
     virtualPlate.noisePx = settings.noisePx;
   } else {
     virtualPlate.effects.readNoiseDn = virtualPlate.effects.shotNoise = virtualPlate.effects.speckle = 0;
-    if (std::getenv("XT") != nullptr) virtualPlate.effects.crosstalk = std::atof(std::getenv("XT"));
-    if (std::getenv("AMB") != nullptr) virtualPlate.effects.ambientDn = std::atof(std::getenv("AMB"));
   }
   auto plate = VirtualPlate::create(virtualPlate);
   if (!plate) throw std::runtime_error(plate.error().message());
@@ -100,8 +107,7 @@ void associateByTruth(Campaign& campaign) {
             }
       }
       const Transform2& placed = campaign.plate->settings().placements[m].worldFromPlate;
-      const Extrinsics& truth =
-          campaign.plate->calibration().rangeFinders[static_cast<std::size_t>(c)].cameraFromWorld;
+      const Extrinsics& truth = campaign.plate->calibration().rangeFinders[static_cast<std::size_t>(c)].cameraFromWorld;
       const Eigen::Matrix3d turn = Eigen::AngleAxisd(placed.angleRad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
       picture.cameraFromPlate.rotation = truth.rotation * turn;
       picture.cameraFromPlate.translationMm =
