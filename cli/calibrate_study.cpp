@@ -53,8 +53,8 @@ Expected<PinPlate> plateOf(const Options& options) {
 Expected<std::array<CalibratedIntrinsics, kCameraCount>> intrinsicsOf(const Options& options) {
   std::array<CalibratedIntrinsics, kCameraCount> cameras;
   if (!options.intrinsics.empty() && options.intrinsics.size() != kCameraCount)
-    return inputError("--intrinsics", "needs four files, camera 1 first; " + std::to_string(options.intrinsics.size()) +
-                                          " are given");
+    return inputError("--intrinsics",
+                      "needs four files, camera 1 first; " + std::to_string(options.intrinsics.size()) + " are given");
   for (std::size_t i = 0; i < kCameraCount; ++i) {
     std::optional<fs::path> file;
     const std::string name = "camera" + std::to_string(i + 1) + ".toml";
@@ -119,8 +119,8 @@ int run(const Options& options) {
                       ErrorKind::Input});
   if (!options.report.empty())
     if (const auto possible = checkDocumentFile(options.report); !possible) return fail(possible.error());
-  const auto plan = loadStudyPlan(
-      options.factors.empty() ? resourceDirectory() / "studies" / "calibration.toml" : fs::path(options.factors));
+  const auto plan = loadStudyPlan(options.factors.empty() ? resourceDirectory() / "studies" / "calibration.toml"
+                                                          : fs::path(options.factors));
   if (!plan) return fail(plan.error());
   const auto result = study(options, *plan);
   if (!result) return fail(result.error());
@@ -138,7 +138,8 @@ int run(const Options& options) {
 constexpr const char* kFooter =
     "A file of factors (TOML, format = 1) has a [[factor]] with name and levels for each; resources/studies holds\n"
     "calibration.toml (the paper's experiment; taken without --factors) and methods.toml. --list names every factor.\n"
-    "Every combination is a calibration; cameras and placements are its replicates. Told are: means at every level with\n"
+    "Every combination is a calibration; cameras and placements are its replicates. Told are: means at every level "
+    "with\n"
     "standard errors, interactions of two factors, the analysis of variance, influence by eta^2, the best setting and\n"
     "whether its own run does what the other runs foretell. Cameras that fail are counted and told.\n"
     "Exit code 1: every camera failed in every run.\n\n"

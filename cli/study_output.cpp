@@ -36,9 +36,8 @@ Json settingJson(const ParameterStudy& study, const Combination& combination) {
 }
 
 Json lineJson(const VarianceLine& line) {
-  return {{"source", line.name}, {"ss", line.squares},    {"df", line.dof},
-          {"ms", line.meanSquare}, {"f", line.f},         {"p", line.p},
-          {"eta2", line.share},  {"partial_eta2", line.partialShare}};
+  return {{"source", line.name}, {"ss", line.squares}, {"df", line.dof},     {"ms", line.meanSquare},
+          {"f", line.f},         {"p", line.p},        {"eta2", line.share}, {"partial_eta2", line.partialShare}};
 }
 
 Json scaledJson(const ScaledMean& mean) { return {{"mean", mean.mean}, {"low", mean.low}, {"high", mean.high}}; }
@@ -53,6 +52,7 @@ Json effectJson(const ParameterStudy& study, const ResponseStudy& response, cons
     Json json{{"levels", levels}};
     json.update(scaledJson(response.scaled(mean.mean, mean.standardError)));
     json["n"] = mean.count;
+    json["raw_mean"] = response.scaled(mean.rawMean, 0).mean;
     means.push_back(json);
   }
   return {{"factors", names},
@@ -155,18 +155,26 @@ std::string rankingTable(const VarianceAnalysis& a) {
   return text;
 }
 
+std::string levelText(const ResponseStudy& response, const EffectMean& mean) {
+  if (!std::isfinite(mean.mean))  // some combination has failed altogether
+    return mean.count == 0 ? "-" : printed("%.4g*", response.scaled(mean.rawMean, 0).mean);
+  const ScaledMean m = response.scaled(mean.mean, mean.standardError);
+  return printed("%.4g (%.4g..%.4g)", m.mean, m.low, m.high);
+}
+
 std::string mainEffects(const ParameterStudy& study, const ResponseStudy& response) {
   std::string text;
+  bool raw = false;
   for (const Effect& effect : response.analysis->effects) {
     if (effect.factors.size() != 1) continue;
     text += printed("  %-16s", effect.name.c_str());
     for (const EffectMean& mean : effect.means) {
-      const ScaledMean m = response.scaled(mean.mean, mean.standardError);
-      text += printed("  %s: %.4g (%.4g..%.4g)", words(levelOf(study, effect.factors[0], mean.levels[0])).c_str(),
-                      m.mean, m.low, m.high);
+      text += "  " + words(levelOf(study, effect.factors[0], mean.levels[0])) + ": " + levelText(response, mean);
+      raw = raw || !std::isfinite(mean.mean);
     }
     text += "\n";
   }
+  if (raw) text += "  * mean of what there is: combinations that failed altogether leave no balanced one\n";
   return text;
 }
 
@@ -209,9 +217,9 @@ Json toJson(const ParameterStudy& study, const StudyPlan& plan) {
 }
 
 std::string toTable(const ParameterStudy& study) {
-  std::string text = printed("%zu runs of %zu; %d of %d cameras in placements failed, %d runs refused\n",
-                             study.design.runs.size(), study.design.fullRuns, study.unitsFailed, study.unitsTried,
-                             study.runsRefused);
+  std::string text =
+      printed("%zu runs of %zu; %d of %d cameras in placements failed, %d runs refused\n", study.design.runs.size(),
+              study.design.fullRuns, study.unitsFailed, study.unitsTried, study.runsRefused);
   for (const auto& [reason, times] : study.failures) text += printed("  %5d x %s\n", times, reason.c_str());
   for (const ResponseStudy& response : study.responses) {
     text += "\n" + std::string(longName(response.response)) +
@@ -221,8 +229,7 @@ std::string toTable(const ParameterStudy& study) {
       continue;
     }
     text += printed("  %d observations, %s %.4g\n", response.observations,
-                    response.logarithmic ? "geometric mean" : "mean",
-                    response.scaled(response.analysis->mean, 0).mean);
+                    response.logarithmic ? "geometric mean" : "mean", response.scaled(response.analysis->mean, 0).mean);
     text += rankingTable(*response.analysis) + mainEffects(study, response) + bestText(study, response);
     for (const std::string& remark : response.analysis->remarks) text += "  " + remark + "\n";
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/quality/running_statistics.h"
 
@@ -10,12 +11,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Cameras in placements that failed, by setting; of settings that were run.
+/// Cameras in placements that failed, by setting, and one more for a calibration that was refused; of settings that
+/// were run.
 std::map<Combination, int> failuresOf(const ParameterStudy& study) {
   std::map<Combination, int> failures;
   for (const StudyRun& run : study.runs) {
     if (run.confirmation) continue;
     int& failed = failures[run.combination];
+    failed += run.refusal.empty() ? 0 : 1;
     for (const StudyUnit& unit : run.units)
       failed += unit.values[static_cast<std::size_t>(Response::Success)] == 0 ? 1 : 0;
   }
@@ -23,15 +26,21 @@ std::map<Combination, int> failuresOf(const ParameterStudy& study) {
 }
 
 /// In ascending order of levels, so that the first is the preferred one. With a full design: those that were run and
-/// failed least; with a fraction those that were not run may do as well and are among them.
-std::vector<Combination> candidatesOf(const ParameterStudy& study) {
-  const auto failures = failuresOf(study);
+/// failed least, of those that yield a value; with a fraction those that were not run may do as well and are among
+/// them.
+std::vector<Combination> candidatesOf(const ParameterStudy& study, const std::vector<StudyObservation>& observations) {
+  std::map<Combination, int> failures = failuresOf(study);
+  std::set<Combination> observed;
+  for (const StudyObservation& o : observations) observed.insert(o.combination);
   int least = std::numeric_limits<int>::max();
-  for (const auto& [combination, failed] : failures) least = std::min(least, failed);
+  for (const auto& [combination, failed] : failures)
+    if (observed.contains(combination)) least = std::min(least, failed);
   std::vector<Combination> candidates;
   for (const Combination& combination : allCombinations(study.design.factors)) {
     const auto run = failures.find(combination);
-    if (run == failures.end() ? !study.design.full() : run->second == least) candidates.push_back(combination);
+    const bool good =
+        run == failures.end() ? !study.design.full() : run->second == least && observed.contains(combination);
+    if (good) candidates.push_back(combination);
   }
   return candidates;
 }
@@ -77,7 +86,7 @@ void compare(BestSetting& best, const ParameterStudy& study, const ResponseStudy
 
 std::optional<BestSetting> bestSetting(const ParameterStudy& study, const ResponseStudy& response,
                                        const std::vector<StudyObservation>& observations) {
-  const std::vector<Combination> candidates = candidatesOf(study);
+  const std::vector<Combination> candidates = candidatesOf(study, observations);
   const std::vector<Prediction> predictions =
       predict(study.design.factors, observations, candidates, response.analysis->order);
   const double sign = largerIsBetter(response.response) ? -1 : 1;

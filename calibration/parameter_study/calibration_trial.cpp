@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -41,51 +42,62 @@ std::string actingName(const StudyPlan& plan, const Combination& combination, co
   std::string name;
   for (std::size_t f = 0; f < plan.factors.size(); ++f)
     if (!isInert(plan.factors[f].name, settings))
-      name += plan.factors[f].name + "=" + words(plan.factors[f].levels[static_cast<std::size_t>(combination[f])]) + ";";
+      name +=
+          plan.factors[f].name + "=" + words(plan.factors[f].levels[static_cast<std::size_t>(combination[f])]) + ";";
   return name;
 }
 
 double& at(StudyUnit& unit, Response response) { return unit.values[static_cast<std::size_t>(response)]; }
 
+/// Mean of what is finite: an arc too short for a circle of its own has no centre distance.
+class MeanOfSome {
+ public:
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    sum_ += value;
+    ++count_;
+  }
+  [[nodiscard]] double value() const { return count_ > 0 ? sum_ / count_ : std::numeric_limits<double>::quiet_NaN(); }
+
+ private:
+  double sum_ = 0;
+  int count_ = 0;
+};
+
 /// Means over the pins that one camera used in one placement.
 struct PinMeans {
-  int used = 0, seen = 0;
-  double cd = 0, rd = 0, pd = 0, pdNominal = 0;
-  std::map<std::string, int> reasons;
+  int used = 0;
+  MeanOfSome cd, rd, pd, pdNominal;
 
   void add(const PinView& pin) {
-    ++seen;
-    if (!pin.used) {
-      ++reasons[pin.reason];
-      return;
-    }
+    if (!pin.used) return;
     ++used;
-    cd += pin.cdMm;
-    rd += pin.rdMm;
-    pd += pin.pdMm;
-    pdNominal += pin.pdNominalMm;
-  }
-  [[nodiscard]] std::string why() const {
-    const auto most = std::max_element(reasons.begin(), reasons.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == reasons.end() || most->first.empty() ? "no pin was used" : "no pin was used: " + most->first;
+    cd.add(pin.cdMm);
+    rd.add(pin.rdMm);
+    pd.add(pin.pdMm);
+    pdNominal.add(pin.pdNominalMm);
   }
 };
 
-StudyUnit viewUnit(const PinMeans& pins, int camera, int place, std::size_t platePins, const PinPicture& picture) {
+/// Why a camera yields nothing: its picture, or what the calibration says of it.
+std::string reasonOf(const PinPicture& picture, const std::vector<std::string>& refusals, int camera) {
+  if (!picture.usable()) return picture.refusal;
+  const std::string who = "camera " + std::to_string(camera + 1);
+  for (const std::string& refusal : refusals)
+    if (refusal.find(who) != std::string::npos) return refusal;
+  return "no pin was used";
+}
+
+StudyUnit viewUnit(const PinMeans& pins, int camera, int place, std::size_t platePins) {
   StudyUnit unit;
   unit.camera = camera;
   unit.placement = place;
   at(unit, Response::Association) = static_cast<double>(pins.used) / static_cast<double>(platePins);
   at(unit, Response::Success) = pins.used > 0 ? 1 : 0;
-  if (pins.used == 0) {
-    unit.failure = picture.usable() ? pins.why() : picture.refusal;
-    return unit;
-  }
-  at(unit, Response::Cd) = pins.cd / pins.used;
-  at(unit, Response::Rd) = pins.rd / pins.used;
-  at(unit, Response::Pd) = pins.pd / pins.used;
-  at(unit, Response::PdNominal) = pins.pdNominal / pins.used;
+  at(unit, Response::Cd) = pins.cd.value();
+  at(unit, Response::Rd) = pins.rd.value();
+  at(unit, Response::Pd) = pins.pd.value();
+  at(unit, Response::PdNominal) = pins.pdNominal.value();
   return unit;
 }
 
@@ -176,10 +188,12 @@ void CalibrationTrial::Impl::take(const RigAdjustment& rig, const Found& lines, 
   }
   const int place = part.size() == 1 ? lines.places[part.front()] : -1;
   for (std::size_t p = 0; p < part.size(); ++p)
-    for (int camera = 0; camera < kCameraCount; ++camera)
-      run.units.push_back(viewUnit(views[{static_cast<int>(p), camera}], camera, lines.places[part[p]],
-                                   material.plate.pins.size(),
-                                   lines.inputs.placements[part[p]].pictures[static_cast<std::size_t>(camera)]));
+    for (int camera = 0; camera < kCameraCount; ++camera) {
+      const PinMeans& pins = views[{static_cast<int>(p), camera}];
+      run.units.push_back(viewUnit(pins, camera, lines.places[part[p]], material.plate.pins.size()));
+      const PinPicture& picture = lines.inputs.placements[part[p]].pictures[static_cast<std::size_t>(camera)];
+      if (pins.used == 0) run.units.back().failure = reasonOf(picture, rig.refusals, camera);
+    }
   for (int camera = 0; camera < kCameraCount; ++camera) {
     if (used[static_cast<std::size_t>(camera)] == 0) continue;
     StudyUnit unit;
@@ -268,12 +282,42 @@ Expected<void> checkMaterial(const TrialMaterial& material, const StudyPlan& pla
   return {};
 }
 
+namespace {
+
+/// Takes the factors out that do nothing in any run, and says so.
+std::vector<std::string> dropInert(StudyPlan& plan) {
+  std::vector<std::string> remarks;
+  std::vector<Factor> acting;
+  for (const Factor& factor : plan.factors) {
+    bool acts = false;
+    for (const Combination& run : allCombinations(plan.factors)) {
+      const auto settings = trialSettings(plan, run);
+      acts = acts || !settings || !isInert(factor.name, *settings);
+      if (acts) break;
+    }
+    if (acts) {
+      acting.push_back(factor);
+      continue;
+    }
+    remarks.push_back(factor.name + " does nothing under the method (and association) of this study: left out");
+  }
+  plan.factors = std::move(acting);
+  return remarks;
+}
+
+}  // namespace
+
 Expected<ParameterStudy> runCalibrationStudy(const StudyPlan& plan, TrialMaterial material, const Job& job) {
   if (auto fits = checkMaterial(material, plan); !fits) return tl::unexpected(fits.error());
-  const auto design = factorialDesign(plan.factors, plan.design);
+  StudyPlan acting = plan;
+  const std::vector<std::string> remarks = dropInert(acting);
+  if (acting.factors.empty()) return inputError("factors", "none of them does anything: " + remarks.front());
+  const auto design = factorialDesign(acting.factors, acting.design);
   if (!design) return tl::unexpected(design.error());
-  CalibrationTrial trial(std::move(material), plan);
-  return runParameterStudy(*design, std::ref(trial), plan.analysis, job);
+  CalibrationTrial trial(std::move(material), acting);
+  auto study = runParameterStudy(*design, std::ref(trial), acting.analysis, job);
+  if (study) study->remarks.insert(study->remarks.begin(), remarks.begin(), remarks.end());
+  return study;
 }
 
 }  // namespace vignole

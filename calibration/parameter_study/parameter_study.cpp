@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <sstream>
 
 #include "calibration/parameter_study/best_setting.h"
 
@@ -70,6 +70,19 @@ ResponseStudy studyOf(Response response, const ParameterStudy& study, int order)
   return result;
 }
 
+/// A reason without what differs from run to run (numbers, folders, the remedy), so that equal causes are counted
+/// together.
+std::string causeOf(const std::string& failure) {
+  std::istringstream words(failure.substr(0, failure.find(';')));
+  std::string cause, word;
+  while (words >> word) {
+    if (word.find('/') != std::string::npos) word = "PLACEMENT";
+    if (word.find_first_not_of("0123456789.") == std::string::npos) word = "N";
+    cause += (cause.empty() ? "" : " ") + word;
+  }
+  return cause;
+}
+
 void count(ParameterStudy& study) {
   for (const StudyRun& run : study.runs) {
     if (run.confirmation) continue;
@@ -79,7 +92,7 @@ void count(ParameterStudy& study) {
       ++study.unitsTried;
       if (unit.failure.empty()) continue;
       ++study.unitsFailed;
-      ++study.failures[unit.failure];
+      ++study.failures[causeOf(unit.failure)];
     }
   }
 }

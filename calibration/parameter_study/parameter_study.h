@@ -94,7 +94,7 @@ struct ParameterStudy {
   Response primary = Response::Cd;       ///< the one that the best setting is taken by
   int unitsTried = 0, unitsFailed = 0;   ///< cameras in placements, over all runs
   int runsRefused = 0;
-  std::map<std::string, int> failures;  ///< reasons, and how often
+  std::map<std::string, int> failures;  ///< causes (reasons without numbers and folders), and how often
   std::vector<std::string> remarks;
   [[nodiscard]] const ResponseStudy* of(Response response) const;
 };
@@ -109,9 +109,9 @@ using StudyTrial = std::function<Expected<StudyRun>(const Combination& combinati
 
 /// All runs of the design in its order, then the confirmation of the best setting if it was not among them.
 ///
-/// Best: among the settings with the fewest failed cameras, the one whose prediction is best; of those within one
-/// standard error of it, the one whose levels stand first in the factors (the first factor weighs most): list levels in
-/// the order in which you would take them if it did not matter.
+/// Best: among the settings with the fewest failed cameras (a refused run counts as one more), the one whose prediction
+/// is best; of those within one standard error of it, the one whose levels stand first in the factors (the first factor
+/// weighs most): list levels in the order in which you would take them if it did not matter.
 [[nodiscard]] Expected<ParameterStudy> runParameterStudy(const FactorialDesign& design, const StudyTrial& trial,
                                                          const StudySettings& settings, const Job& job);
 

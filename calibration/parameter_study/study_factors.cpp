@@ -11,7 +11,7 @@
 namespace vignole {
 namespace {
 
-enum class Acts { Always, InPaper, InAdjustment };
+enum class Acts { Always, InPaper, InFourSteps, InAdjustment };
 
 /// A factor whose levels are numbers from `min` to `max`.
 struct NumberFactor {
@@ -40,7 +40,7 @@ const std::vector<NumberFactor>& numberFactors() {
       {"high_dn", "t_h: stronger points are accepted, DN of line contrast", 0.1, 255, false, Acts::Always,
        [](TrialSettings& s, double v) { s.lines.stripe.high = v; }},
       {"t_ec", "distance limit for matching an ellipse to a pin, in the paper's coordinates from -1 to 1", 0.01, 2,
-       false, Acts::InPaper, [](TrialSettings& s, double v) { s.adjustment.paper.matchDistance = v; }},
+       false, Acts::InFourSteps, [](TrialSettings& s, double v) { s.adjustment.paper.matchDistance = v; }},
       {"max_ellipses", "most ellipses that the pose is computed from", 3, 100, true, Acts::InPaper,
        [](TrialSettings& s, double v) { s.adjustment.paper.maxEllipses = static_cast<int>(v); }},
       {"min_arc_share", "length of a line over the perimeter of its ellipse, at least", 0, 1, false, Acts::InPaper,
@@ -100,7 +100,7 @@ const std::vector<WordFactor>& wordFactors() {
       {"centermost",
        "which ellipse is the centermost: next to the mean of all, or to the middle of the picture",
        {{"mean", setCentermost<Centermost::Mean>}, {"image-centre", setCentermost<Centermost::ImageCentre>}},
-       Acts::InPaper},
+       Acts::InFourSteps},
       {"association",
        "how an ellipse finds its pin: by the paper's four steps, or by the drawing of the rig",
        {{"four-step", setFourSteps<true>}, {"robust", setFourSteps<false>}},
@@ -175,6 +175,24 @@ bool isKnown(std::string_view name) {
   return find(numberFactors(), name) != nullptr || find(wordFactors(), name) != nullptr;
 }
 
+Acts actsOf(std::string_view name) {
+  if (const NumberFactor* number = find(numberFactors(), name)) return number->acts;
+  const WordFactor* word = find(wordFactors(), name);
+  return word != nullptr ? word->acts : Acts::Always;
+}
+
+/// Who varies a setting of the paper's method means that method, if nothing else is said.
+void imply(StudyPlan& plan) {
+  const auto said = [&](std::string_view name) {
+    return std::any_of(plan.factors.begin(), plan.factors.end(), [&](const auto& f) { return f.name == name; }) ||
+           std::any_of(plan.fixed.begin(), plan.fixed.end(), [&](const auto& f) { return f.first == name; });
+  };
+  const bool ofPaper = std::any_of(plan.factors.begin(), plan.factors.end(), [](const Factor& f) {
+    return actsOf(f.name) == Acts::InPaper || actsOf(f.name) == Acts::InFourSteps;
+  });
+  if (ofPaper && !said("method")) plan.fixed.emplace_back("method", "paper");
+}
+
 void refuseUnknown(TomlReader& toml, const std::string& key, std::string_view name) {
   if (!isKnown(name)) toml.refuse(key, "names no factor: " + std::string(name) + "; known are " + knownNames());
 }
@@ -207,10 +225,9 @@ Expected<void> applyFactor(TrialSettings& settings, std::string_view factor, con
 }
 
 bool isInert(std::string_view factor, const TrialSettings& settings) {
-  const NumberFactor* number = find(numberFactors(), factor);
-  const WordFactor* word = find(wordFactors(), factor);
-  const Acts acts = number != nullptr ? number->acts : word != nullptr ? word->acts : Acts::Always;
+  const Acts acts = actsOf(factor);
   const bool paper = settings.adjustment.method == RigMethod::Paper;
+  if (acts == Acts::InFourSteps) return !paper || !settings.adjustment.paper.fourSteps;
   return (acts == Acts::InPaper && !paper) || (acts == Acts::InAdjustment && paper);
 }
 
@@ -240,6 +257,7 @@ Expected<StudyPlan> parseStudyPlan(std::string_view text, const std::string& nam
   }
   plan.analysis.order = toml->boolean("analysis.interactions", true) ? 2 : 1;
   if (auto done = toml->finish(); !done) return tl::unexpected(done.error());
+  imply(plan);
   if (auto design = factorialDesign(plan.factors, plan.design); !design)
     return inputError(nameInErrors, design.error().message());
   return plan;

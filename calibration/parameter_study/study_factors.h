@@ -38,7 +38,8 @@ struct StudyPlan {
 };
 
 /// TOML, format = 1: [[factor]] with name and levels; [fixed] NAME = LEVEL; [design] max_runs, runs;
-/// [analysis] response, interactions. Refuses unknown keys and names, levels out of range, too many runs.
+/// [analysis] response, interactions. Factors of the paper's method fix that method if the file says nothing of it.
+/// Refuses unknown keys and names, levels out of range, too many runs.
 [[nodiscard]] Expected<StudyPlan> parseStudyPlan(std::string_view text, const std::string& nameInErrors);
 [[nodiscard]] Expected<StudyPlan> loadStudyPlan(const std::filesystem::path& file);
 

@@ -112,6 +112,43 @@ TEST(ParameterStudy, FailuresAreCountedAndNeverRecommended) {
   EXPECT_NEAR(result.of(Response::Success)->analysis->mean, 70.0 / 72, 1e-12);
 }
 
+TEST(ParameterStudy, EqualCausesAreCountedTogether) {
+  const auto design = *factorialDesign({{"sigma_px", {1.0, 2.0, 3.0}}});
+  const StudyTrial trial = [](const Combination& c, const Job&) -> Expected<StudyRun> {
+    StudyRun run;
+    for (int placement = 0; placement < 2; ++placement) {
+      StudyUnit unit;
+      unit.camera = 0;
+      unit.placement = placement;
+      LawfulTrial::at(unit, Response::Success) = 0;
+      unit.failure = "refused, because in camera 1 of plate/placement" + std::to_string(placement + 1) +
+                     " the centres lie " + std::to_string(4.5 + c[0]) + " px off their pose; use another method";
+      run.units.push_back(unit);
+    }
+    return run;
+  };
+  const auto result = runParameterStudy(design, trial, {}, {});
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->failures.size(), 1U);
+  EXPECT_EQ(result->failures.begin()->first,
+            "refused, because in camera N of PLACEMENT the centres lie N px off their pose");
+  EXPECT_EQ(result->failures.begin()->second, 6);
+}
+
+TEST(ParameterStudy, ARefusedRunIsNeverTheBest) {
+  LawfulTrial trial(2);
+  const StudyTrial refusing = [&trial](const Combination& c, const Job& job) {
+    auto run = trial(c, job);
+    if (c[0] == 1 && c[1] == 1) run->refusal = "refused, because the seam does not close";
+    return run;
+  };
+  const auto result = runParameterStudy(*factorialDesign(threeFactors()), refusing, {}, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->runsRefused, 2);
+  const BestSetting& best = *result->of(Response::Cd)->best;
+  EXPECT_NE(std::pair(best.combination[0], best.combination[1]), std::pair(1, 1));
+}
+
 TEST(ParameterStudy, EverythingFailingIsSaidNotHidden) {
   LawfulTrial trial(4);
   trial.fails = [](const Combination&, int) { return true; };

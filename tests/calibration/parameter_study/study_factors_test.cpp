@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calibration/parameter_study/calibration_trial.h"
+
 namespace vignole {
 namespace {
 
@@ -53,8 +55,39 @@ TEST(StudyPlan, RefusesWithLineAndRemedy) {
   EXPECT_THAT(errorOf(plan("[[factor]]\nname = 'sigma_px'\nlevels = [2, 3]\nsteps = 3\n")), HasSubstr("steps"));
 }
 
+TEST(StudyPlan, FactorsOfThePaperMeanItsMethod) {
+  const std::string tEc = "[[factor]]\nname = 't_ec'\nlevels = [0.2, 0.3]\n";
+  EXPECT_EQ(trialSettings(*plan(tEc), {0})->adjustment.method, RigMethod::Paper);
+  EXPECT_EQ(trialSettings(*plan("[fixed]\nmethod = 'joint'\n" + tEc), {0})->adjustment.method, RigMethod::Joint);
+  EXPECT_EQ(trialSettings(*plan("[[factor]]\nname = 'sigma_px'\nlevels = [2, 3]\n"), {0})->adjustment.method,
+            RigMethod::Joint);
+}
+
+TEST(CalibrationStudy, RefusesWhenNoFactorDoesAnything) {
+  const auto p = plan("[fixed]\nmethod = 'joint'\n[[factor]]\nname = 't_ec'\nlevels = [0.2, 0.3]\n");
+  ASSERT_TRUE(p) << errorOf(p);
+  TrialMaterial material;
+  material.placements.push_back({"nowhere", "nowhere", {}});
+  const auto study = runCalibrationStudy(*p, material, {});
+  ASSERT_FALSE(study);
+  EXPECT_THAT(study.error().message(), HasSubstr("t_ec does nothing under the method"));
+}
+
+TEST(CalibrationStudy, ExposuresMustBeThoseOfThePlacements) {
+  TrialMaterial material;
+  EXPECT_THAT(checkMaterial(material, {}).error().message(), HasSubstr("no placement"));
+  material.placements = {{"exposure5ms/a", "a", 5.0}, {"exposure15ms/a", "a", 15.0}};
+  const auto twenty = plan("[[factor]]\nname = 'exposure_ms'\nlevels = [5, 20]\n");
+  EXPECT_THAT(checkMaterial(material, *twenty).error().message(), AllOf(HasSubstr("exposure20ms"), HasSubstr("5, 15")));
+  const auto sigma = plan("[[factor]]\nname = 'sigma_px'\nlevels = [2, 3]\n");
+  EXPECT_THAT(checkMaterial(material, *sigma).error().message(), HasSubstr("several exposures"));
+  EXPECT_TRUE(checkMaterial(material, *plan("[fixed]\nexposure_ms = 15\n[[factor]]\nname = 'sigma_px'\n"
+                                            "levels = [2, 3]\n")));
+}
+
 TEST(StudyPlan, ThresholdsThatContradictEachOtherAreRefusedWithTheirRun) {
-  const auto p = plan("[[factor]]\nname = 'low_dn'\nlevels = [5, 30]\n[[factor]]\nname = 'high_dn'\nlevels = [10, 40]\n");
+  const auto p =
+      plan("[[factor]]\nname = 'low_dn'\nlevels = [5, 30]\n[[factor]]\nname = 'high_dn'\nlevels = [10, 40]\n");
   ASSERT_TRUE(p) << errorOf(p);
   const auto settings = trialSettings(*p, {1, 0});
   ASSERT_FALSE(settings);
@@ -62,7 +95,7 @@ TEST(StudyPlan, ThresholdsThatContradictEachOtherAreRefusedWithTheirRun) {
 }
 
 TEST(StudyPlan, TheFilesThatComeWithTheProgramAreGood) {
-  for (const char* file : {"calibration.toml", "methods.toml"}) {
+  for (const char* file : {"calibration.toml", "methods.toml", "association.toml"}) {
     const auto p = loadStudyPlan(std::filesystem::path(VIGNOLE_SOURCE_DIR) / "resources/studies" / file);
     ASSERT_TRUE(p) << errorOf(p);
     const auto design = factorialDesign(p->factors, p->design);
@@ -81,6 +114,9 @@ TEST(StudyFactors, OfThePaperDoNothingElsewhere) {
   ASSERT_TRUE(applyFactor(settings, "method", "paper"));
   EXPECT_FALSE(isInert("t_ec", settings));
   EXPECT_TRUE(isInert("end_margin_sigmas", settings));
+  ASSERT_TRUE(applyFactor(settings, "association", "robust"));
+  EXPECT_TRUE(isInert("t_ec", settings)) << "a limit of the four steps";
+  EXPECT_FALSE(isInert("fit", settings));
   EXPECT_FALSE(applyFactor(settings, "method", 3.0));
   EXPECT_GT(studyFactorWords().size(), 10U);
 }
