@@ -19,7 +19,6 @@ void addCalibrate(CLI::App& app, int& exitCode) {
   addCalibrateEncoder(*calibrate, exitCode);
   addCalibrateStudy(*calibrate, exitCode);
   addCalibrateAssess(*calibrate, exitCode);
-  addCalibrateStudy(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli
