@@ -145,6 +145,7 @@ void addResponse(const ParameterStudy& study, const ResponseStudy& response, boo
     PlotBlock main{"Main effects", 3, 0.8, {}, "means over all other factors; bars: one standard error"};
     for (const Effect& effect : a.effects)
       if (effect.factors.size() == 1) main.plots.push_back(mainEffectPlot(study, response, effect));
+    if (main.plots.size() == 4) main.columns = 2;
     document.blocks.push_back(PlotBlock{"", 1, 0.4, {influencePlot(a)}, "share of what the runs differ by"});
     document.blocks.push_back(main);
     if (auto crossed = interactionPlots(study, response); !crossed.empty())
