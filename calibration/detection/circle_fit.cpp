@@ -62,7 +62,7 @@ struct Band {
 };
 
 /// Pixels within `halfWidth` of the ellipse, outside no further than `roomRatio`; origin: that of the picture.
-std::optional<Band> bandOf(const ImageView& image, const Ellipse& ellipse, double halfWidth, double roomRatio,
+std::optional<Band> bandOf(const ImageView& image, const DotEllipse& ellipse, double halfWidth, double roomRatio,
                            const Point2& origin, int step) {
   const Eigen::Matrix2d spread = (ellipse.toUnitCircle.transpose() * ellipse.toUnitCircle).inverse();
   const double reach = std::min(roomRatio, 1 + halfWidth / ellipse.semiAxesPx().y());
@@ -104,7 +104,7 @@ std::optional<Band> bandOf(const ImageView& image, const Ellipse& ellipse, doubl
 }
 
 /// Mean grey inside and outside the ellipse, as a start.
-void startLevels(const Band& band, const Ellipse& ellipse, const Point2& origin, Vector& p) {
+void startLevels(const Band& band, const DotEllipse& ellipse, const Point2& origin, Vector& p) {
   double inside = 0, outside = 0, nInside = 0, nOutside = 0;
   for (const PatchPixel& pixel : band.pixels) {
     const Point2 at(pixel.x + origin.x(), pixel.y + origin.y());
@@ -118,21 +118,21 @@ void startLevels(const Band& band, const Ellipse& ellipse, const Point2& origin,
 
 }  // namespace
 
-double Ellipse::areaPx() const { return std::numbers::pi / std::abs(toUnitCircle.determinant()); }
+double DotEllipse::areaPx() const { return std::numbers::pi / std::abs(toUnitCircle.determinant()); }
 
-Eigen::Vector2d Ellipse::semiAxesPx() const {
+Eigen::Vector2d DotEllipse::semiAxesPx() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(toUnitCircle.transpose() * toUnitCircle);
   return solver.eigenvalues().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
 }
 
-Ellipse ellipseOfMoments(const Point2& centrePx, const Eigen::Matrix2d& covariance) {
+DotEllipse ellipseOfMoments(const Point2& centrePx, const Eigen::Matrix2d& covariance) {
   const Eigen::Matrix2d quadric = (4 * covariance).inverse();
   return {centrePx, quadric.llt().matrixU()};
 }
 
-std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start, double roomRatio) {
+std::optional<DotFit> fitCircle(const ImageView& image, const DotEllipse& start, double roomRatio) {
   const Point2 origin = start.centrePx;
-  CircleFit result;
+  DotFit result;
   result.ellipse = start;
   double halfWidth = std::clamp(0.5 * start.semiAxesPx().y(), 2.5, 8.0);
   Vector p = Vector::Zero();
@@ -155,7 +155,7 @@ std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start,
     if (!fit.converged || !fit.parameters.allFinite()) return std::nullopt;
     p = fit.parameters;
     if (fit.rmsDn > kHopeless * std::abs(p[kContrast]) + 3 * fit.noiseDn) return std::nullopt;
-    const Ellipse last = result.ellipse;
+    const DotEllipse last = result.ellipse;
     result.ellipse.centrePx = origin + Point2(p[kX], p[kY]);
     result.ellipse.toUnitCircle << p[kL1], p[kL2], 0, p[kL3];
     result.saturatedShare = band->saturatedShare;

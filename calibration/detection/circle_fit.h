@@ -10,7 +10,7 @@
 namespace vignole {
 
 /// (x, y) is on the ellipse where |toUnitCircle ((x, y) - centre)| = 1; pixels.
-struct Ellipse {
+struct DotEllipse {
   Point2 centrePx{0, 0};
   Eigen::Matrix2d toUnitCircle = Eigen::Matrix2d::Identity();  ///< upper triangular
   [[nodiscard]] double areaPx() const;
@@ -18,10 +18,10 @@ struct Ellipse {
   [[nodiscard]] Eigen::Vector2d semiAxesPx() const;
 };
 /// The ellipse whose inside has this covariance (of its area).
-[[nodiscard]] Ellipse ellipseOfMoments(const Point2& centrePx, const Eigen::Matrix2d& covariance);
+[[nodiscard]] DotEllipse ellipseOfMoments(const Point2& centrePx, const Eigen::Matrix2d& covariance);
 
-struct CircleFit {
-  Ellipse ellipse;
+struct DotFit {
+  DotEllipse ellipse;
   double uPx = 0;             ///< of each coordinate of the centre
   double blurPx = 0;          ///< standard deviation of the edge's blur, the pixel's own width included
   double contrastDn = 0;      ///< inside less outside
@@ -33,6 +33,6 @@ struct CircleFit {
 
 /// `roomRatio`: how far from the centre there is nothing but the dot and its ground, in radii of the dot (> 1).
 /// Nothing where there is no such edge, or it leads away from the start, or out of the picture.
-[[nodiscard]] std::optional<CircleFit> fitCircle(const ImageView& image, const Ellipse& start, double roomRatio);
+[[nodiscard]] std::optional<DotFit> fitCircle(const ImageView& image, const DotEllipse& start, double roomRatio);
 
 }  // namespace vignole

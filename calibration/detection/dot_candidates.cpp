@@ -20,7 +20,7 @@ constexpr double kSmoothedNoise = 0.375;  // of a pixel's noise, after the 3 x 3
 constexpr double kNoiseFactor = 3.5, kLeastStep = 2.5;
 
 bool elliptical(const Region& region) {
-  const Ellipse ellipse = ellipseOfMoments(region.centrePx, region.covariance);
+  const DotEllipse ellipse = ellipseOfMoments(region.centrePx, region.covariance);
   const Eigen::Vector2d axes = ellipse.semiAxesPx();
   if (!(axes.x() > 0 && axes.y() > kLeastAxisRatio * axes.x())) return false;
   const double fill = region.areaPx / ellipse.areaPx();
@@ -31,7 +31,7 @@ bool elliptical(const Region& region) {
 
 }  // namespace
 
-std::vector<Ellipse> dotCandidates(const ImageView& image, bool light, int halfWindow) {
+std::vector<DotEllipse> dotCandidates(const ImageView& image, bool light, int halfWindow) {
   const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.data),
                      static_cast<std::size_t>(image.stride));
   cv::Mat smooth, mean;
@@ -48,19 +48,19 @@ std::vector<Ellipse> dotCandidates(const ImageView& image, bool light, int halfW
       for (int x = 0; x < image.width; ++x) to[x] = at[x] + step <= about[x] ? 1 : 0;
   }
   const double most = kMostOfPicture * image.width * image.height;
-  std::vector<Ellipse> spots;
+  std::vector<DotEllipse> spots;
   for (const Region& region : regionsOf(mask, image.width, image.height, kLeastArea))
     if (!region.atBorder && region.areaPx < most && elliptical(region))
       spots.push_back(ellipseOfMoments(region.centrePx, region.covariance));
   return spots;
 }
 
-void addNew(const std::vector<Ellipse>& more, std::vector<Ellipse>& all) {
+void addNew(const std::vector<DotEllipse>& more, std::vector<DotEllipse>& all) {
   std::vector<Point2> places;
   places.reserve(all.size());
-  for (const Ellipse& ellipse : all) places.push_back(ellipse.centrePx);
+  for (const DotEllipse& ellipse : all) places.push_back(ellipse.centrePx);
   const PointIndex index(places);
-  for (const Ellipse& ellipse : more) {
+  for (const DotEllipse& ellipse : more) {
     const auto nearest = index.nearest(ellipse.centrePx, 0.5 * ellipse.semiAxesPx().y());
     if (!nearest) all.push_back(ellipse);
   }

@@ -10,9 +10,9 @@ namespace vignole {
 
 /// Spots that stand out from the mean of the window of 2 `halfWindow` + 1 pixels about them, wholly inside the picture;
 /// outlines to the pixel only.
-[[nodiscard]] std::vector<Ellipse> dotCandidates(const ImageView& image, bool light, int halfWindow);
+[[nodiscard]] std::vector<DotEllipse> dotCandidates(const ImageView& image, bool light, int halfWindow);
 
 /// Adds those that are not there yet (another window may have found them before).
-void addNew(const std::vector<Ellipse>& more, std::vector<Ellipse>& all);
+void addNew(const std::vector<DotEllipse>& more, std::vector<DotEllipse>& all);
 
 }  // namespace vignole

@@ -21,9 +21,9 @@ bool similarArea(double a, double b) { return a < kMostAreaRatio * b && b < kMos
 
 class Dots : public PatternPoints {
  public:
-  Dots(const ImageView& picture, std::vector<Ellipse> candidates)
+  Dots(const ImageView& picture, std::vector<DotEllipse> candidates)
       : picture_(picture), candidates_(std::move(candidates)) {
-    for (const Ellipse& ellipse : candidates_) {
+    for (const DotEllipse& ellipse : candidates_) {
       places_.push_back(ellipse.centrePx);
       areas_.push_back(ellipse.areaPx());
     }
@@ -32,7 +32,7 @@ class Dots : public PatternPoints {
   [[nodiscard]] std::span<const Point2> places() const override { return places_; }
 
   [[nodiscard]] std::optional<LatticeSeed> seedAt(std::size_t candidate, const PointIndex& index) const override {
-    const Ellipse& own = candidates_[candidate];
+    const DotEllipse& own = candidates_[candidate];
     struct Neighbour {
       std::size_t index;
       Point2 normalised;
@@ -70,7 +70,7 @@ class Dots : public PatternPoints {
 
   [[nodiscard]] std::optional<PatternPoint> fitAt(const Point2& place, const LatticeSteps& steps,
                                                   const PatternPoint& neighbour, bool) const override {
-    Ellipse start = neighbour.ellipse;
+    DotEllipse start = neighbour.ellipse;
     start.centrePx = place;
     auto point = fitted(start, steps);
     if (!point || point->contrastDn * neighbour.contrastDn < 0 ||
@@ -87,7 +87,7 @@ class Dots : public PatternPoints {
     return {candidate, right ? LatticeSteps{u, v} : LatticeSteps{v, u}};
   }
 
-  [[nodiscard]] std::optional<PatternPoint> fitted(const Ellipse& start, const LatticeSteps& steps) const {
+  [[nodiscard]] std::optional<PatternPoint> fitted(const DotEllipse& start, const LatticeSteps& steps) const {
     const double distance = std::min((start.toUnitCircle * steps.u).norm(), (start.toUnitCircle * steps.v).norm());
     const double room = 1 + kRoomShare * std::max(distance - 2, 0.1);
     const auto fit = fitCircle(picture_, start, room);
@@ -111,18 +111,18 @@ class Dots : public PatternPoints {
   }
 
   ImageView picture_;
-  std::vector<Ellipse> candidates_;
+  std::vector<DotEllipse> candidates_;
   std::vector<Point2> places_;
   std::vector<double> areas_;
 };
 
 }  // namespace
 
-std::unique_ptr<PatternPoints> dots(const ImageView& picture, std::vector<Ellipse> candidates) {
+std::unique_ptr<PatternPoints> dots(const ImageView& picture, std::vector<DotEllipse> candidates) {
   return std::make_unique<Dots>(picture, std::move(candidates));
 }
 
-Ellipse inPicture(const Ellipse& ellipse, const PictureLevel& level) {
+DotEllipse inPicture(const DotEllipse& ellipse, const PictureLevel& level) {
   return {level.inPicture(ellipse.centrePx), ellipse.toUnitCircle / level.factor()};
 }
 

@@ -21,8 +21,8 @@ struct PatternPoint {
   double contrastDn = 0;  ///< dots: inside less outside; corners: bright less dark
   double groundDn = 0;    ///< dots: outside; corners: the mean of bright and dark
   double noiseDn = 0, rmsDn = 0, saturatedShare = 0;
-  Ellipse ellipse;  ///< of a dot
-  Corner corner;    ///< of squares
+  DotEllipse ellipse;  ///< of a dot
+  Corner corner;       ///< of squares
 };
 
 /// Candidates in one picture and what can be said of them. Places are the picture's, whatever level they were found at.
@@ -40,10 +40,10 @@ class PatternPoints {
                                                           const PatternPoint& neighbour, bool oddSteps) const = 0;
 };
 
-[[nodiscard]] std::unique_ptr<PatternPoints> dots(const ImageView& picture, std::vector<Ellipse> candidates);
+[[nodiscard]] std::unique_ptr<PatternPoints> dots(const ImageView& picture, std::vector<DotEllipse> candidates);
 [[nodiscard]] std::unique_ptr<PatternPoints> corners(const ImageView& picture, std::vector<Corner> candidates);
 
 /// In the picture's pixels.
-[[nodiscard]] Ellipse inPicture(const Ellipse& ellipse, const PictureLevel& level);
+[[nodiscard]] DotEllipse inPicture(const DotEllipse& ellipse, const PictureLevel& level);
 
 }  // namespace vignole

@@ -147,10 +147,10 @@ class Search {
       const double at = windows.empty() ? 0 : 8 * std::pow(2.2, middle);
       return std::abs(std::log(a / at)) < std::abs(std::log(b / at));
     });
-    std::vector<Ellipse> all;
+    std::vector<DotEllipse> all;
     for (const int half : windows) {
-      std::vector<Ellipse> found = dotCandidates(view, light, half);
-      for (Ellipse& ellipse : found) ellipse = inPicture(ellipse, level);
+      std::vector<DotEllipse> found = dotCandidates(view, light, half);
+      for (DotEllipse& ellipse : found) ellipse = inPicture(ellipse, level);
       addNew(found, all);
       judge(*dots(picture_, all));
       if (whole_) return;

@@ -29,19 +29,19 @@ std::string nameOf(const EffectTerm& term, const std::vector<Factor>& factors) {
 }
 
 /// Blocks numbered without gaps, in ascending order.
-std::map<int, int> denseBlocks(const std::vector<Observation>& observations) {
+std::map<int, int> denseBlocks(const std::vector<StudyObservation>& observations) {
   std::map<int, int> dense;
-  for (const Observation& o : observations) dense.emplace(o.block, 0);
+  for (const StudyObservation& o : observations) dense.emplace(o.block, 0);
   int next = 0;
   for (auto& [block, index] : dense) index = next++;
   return dense;
 }
 
-EffectModel modelOf(const std::vector<Factor>& factors, const std::vector<Observation>& observations, int order) {
+EffectModel modelOf(const std::vector<Factor>& factors, const std::vector<StudyObservation>& observations, int order) {
   const auto blocks = denseBlocks(observations);
   EffectModel model(levelCounts(factors), std::max(1, static_cast<int>(blocks.size())),
                     effectTerms(static_cast<int>(factors.size()), order));
-  for (const Observation& o : observations) model.add(o.combination, blocks.at(o.block), o.value);
+  for (const StudyObservation& o : observations) model.add(o.combination, blocks.at(o.block), o.value);
   return model;
 }
 
@@ -49,10 +49,10 @@ bool contains(const EffectTerm& outer, const EffectTerm& inner) {
   return std::includes(outer.begin(), outer.end(), inner.begin(), inner.end());
 }
 
-bool isBalanced(const std::vector<Factor>& factors, const std::vector<Observation>& observations) {
+bool isBalanced(const std::vector<Factor>& factors, const std::vector<StudyObservation>& observations) {
   std::map<std::pair<Combination, int>, int> cells;
   std::set<int> blocks;
-  for (const Observation& o : observations) {
+  for (const StudyObservation& o : observations) {
     ++cells[{o.combination, o.block}];
     blocks.insert(o.block);
   }
@@ -124,14 +124,14 @@ double rangeOf(const std::vector<double>& values) {
 }
 
 Effect effectOf(const EffectTerm& term, const EffectModel& model, const std::vector<Factor>& factors,
-                const std::vector<Observation>& observations, double variance) {
+                const std::vector<StudyObservation>& observations, double variance) {
   const std::vector<int> counts = levelCounts(factors);
   Effect effect{term, nameOf(term, factors), {}, kNone, kNone, kNone};
   std::vector<double> compared;
   for (const auto& cell : cellsOf(term, counts)) {
     EffectMean mean{cell, kNone, kNone, 0, kNone};
     double sum = 0;
-    for (const Observation& o : observations) {
+    for (const StudyObservation& o : observations) {
       bool here = true;
       for (std::size_t i = 0; i < term.size(); ++i)
         here = here && o.combination[static_cast<std::size_t>(term[i])] == cell[i];
@@ -188,9 +188,9 @@ void addRemarks(VarianceAnalysis& analysis, int asked) {
 }  // namespace
 
 Expected<VarianceAnalysis> analyseVariance(const std::vector<Factor>& factors,
-                                           const std::vector<Observation>& observations, int order) {
+                                           const std::vector<StudyObservation>& observations, int order) {
   if (observations.size() < 2) return inputError("analysis", "needs at least two observations");
-  for (const Observation& o : observations)
+  for (const StudyObservation& o : observations)
     if (!std::isfinite(o.value)) return inputError("analysis", "an observation is no finite number");
   VarianceAnalysis analysis;
   const int asked = std::clamp(order, 1, static_cast<int>(factors.size()));
@@ -204,7 +204,7 @@ Expected<VarianceAnalysis> analyseVariance(const std::vector<Factor>& factors,
   }
   const std::vector<bool> all(model.terms().size(), true);
   analysis.balanced = isBalanced(factors, observations);
-  for (const Observation& o : observations) analysis.mean += o.value / n;
+  for (const StudyObservation& o : observations) analysis.mean += o.value / n;
 
   analysis.total = {{}, "total", model.totalSquares(), n - 1, kNone, kNone, kNone, kNone, kNone};
   analysis.error = {{}, "error", whole.residualSquares, n - whole.rank, kNone, kNone, kNone, kNone, kNone};
@@ -238,7 +238,7 @@ Expected<VarianceAnalysis> analyseVariance(const std::vector<Factor>& factors,
   return analysis;
 }
 
-std::vector<Prediction> predict(const std::vector<Factor>& factors, const std::vector<Observation>& observations,
+std::vector<Prediction> predict(const std::vector<Factor>& factors, const std::vector<StudyObservation>& observations,
                                 const std::vector<Combination>& wanted, int order) {
   const EffectModel model = modelOf(factors, observations, order);
   const auto whole = model.fit(std::vector<bool>(model.terms().size(), true));

@@ -8,7 +8,7 @@
 
 namespace vignole {
 
-struct Observation {
+struct StudyObservation {
   Combination combination;
   int block = 0;  ///< what was observed: a camera in a placement
   double value = 0;
@@ -63,7 +63,8 @@ struct VarianceAnalysis {
 /// for the error, the interactions are pooled into it, and a remark says so. Refuses fewer than 2 observations and
 /// values that are not finite.
 [[nodiscard]] Expected<VarianceAnalysis> analyseVariance(const std::vector<Factor>& factors,
-                                                         const std::vector<Observation>& observations, int order = 2);
+                                                         const std::vector<StudyObservation>& observations,
+                                                         int order = 2);
 
 /// Value of the model (main effects and interactions) at a setting.
 struct Prediction {
@@ -72,7 +73,7 @@ struct Prediction {
 };
 /// Of every combination in `wanted`, from the observations.
 [[nodiscard]] std::vector<Prediction> predict(const std::vector<Factor>& factors,
-                                              const std::vector<Observation>& observations,
+                                              const std::vector<StudyObservation>& observations,
                                               const std::vector<Combination>& wanted, int order);
 
 }  // namespace vignole

@@ -37,14 +37,14 @@ std::vector<Combination> candidatesOf(const ParameterStudy& study) {
 }
 
 void compare(BestSetting& best, const ParameterStudy& study, const ResponseStudy& response,
-             const std::vector<Observation>& observations) {
-  std::vector<Observation> others, own;
-  for (const Observation& o : observations) (o.combination == best.combination ? own : others).push_back(o);
+             const std::vector<StudyObservation>& observations) {
+  std::vector<StudyObservation> others, own;
+  for (const StudyObservation& o : observations) (o.combination == best.combination ? own : others).push_back(o);
   const Prediction foretold =
       predict(study.design.factors, others, {best.combination}, response.analysis->order).front();
   best.foretold = response.scaled(foretold.value, foretold.standardError);
   double sum = 0;
-  for (const Observation& o : own) sum += o.value;
+  for (const StudyObservation& o : own) sum += o.value;
   best.observations = static_cast<int>(own.size());
   for (const StudyRun& run : study.runs)  // a fraction's best setting is run for this alone
     if (run.confirmation && run.combination == best.combination)
@@ -76,7 +76,7 @@ void compare(BestSetting& best, const ParameterStudy& study, const ResponseStudy
 }  // namespace
 
 std::optional<BestSetting> bestSetting(const ParameterStudy& study, const ResponseStudy& response,
-                                       const std::vector<Observation>& observations) {
+                                       const std::vector<StudyObservation>& observations) {
   const std::vector<Combination> candidates = candidatesOf(study);
   const std::vector<Prediction> predictions =
       predict(study.design.factors, observations, candidates, response.analysis->order);

@@ -9,6 +9,6 @@ namespace vignole {
 
 /// `observations`: of the response, on the scale of its analysis. Rule and fields as with runParameterStudy.
 [[nodiscard]] std::optional<BestSetting> bestSetting(const ParameterStudy& study, const ResponseStudy& response,
-                                                     const std::vector<Observation>& observations);
+                                                     const std::vector<StudyObservation>& observations);
 
 }  // namespace vignole

@@ -41,7 +41,8 @@ std::string actingName(const StudyPlan& plan, const Combination& combination, co
   std::string name;
   for (std::size_t f = 0; f < plan.factors.size(); ++f)
     if (!isInert(plan.factors[f].name, settings))
-      name += plan.factors[f].name + "=" + words(plan.factors[f].levels[static_cast<std::size_t>(combination[f])]) + ";";
+      name +=
+          plan.factors[f].name + "=" + words(plan.factors[f].levels[static_cast<std::size_t>(combination[f])]) + ";";
   return name;
 }
 
@@ -49,7 +50,7 @@ double& at(StudyUnit& unit, Response response) { return unit.values[static_cast<
 
 /// Means over the pins that one camera used in one placement.
 struct PinMeans {
-  int used = 0, seen = 0;
+  int used = 0, seen = 0, measured = 0;
   double cd = 0, rd = 0, pd = 0, pdNominal = 0;
   std::map<std::string, int> reasons;
 
@@ -60,6 +61,8 @@ struct PinMeans {
       return;
     }
     ++used;
+    if (!std::isfinite(pin.cdMm)) return;  // an arc too short to have a centre and a radius of its own
+    ++measured;
     cd += pin.cdMm;
     rd += pin.rdMm;
     pd += pin.pdMm;
@@ -82,10 +85,11 @@ StudyUnit viewUnit(const PinMeans& pins, int camera, int place, std::size_t plat
     unit.failure = picture.usable() ? pins.why() : picture.refusal;
     return unit;
   }
-  at(unit, Response::Cd) = pins.cd / pins.used;
-  at(unit, Response::Rd) = pins.rd / pins.used;
-  at(unit, Response::Pd) = pins.pd / pins.used;
-  at(unit, Response::PdNominal) = pins.pdNominal / pins.used;
+  if (pins.measured == 0) return unit;
+  at(unit, Response::Cd) = pins.cd / pins.measured;
+  at(unit, Response::Rd) = pins.rd / pins.measured;
+  at(unit, Response::Pd) = pins.pd / pins.measured;
+  at(unit, Response::PdNominal) = pins.pdNominal / pins.measured;
   return unit;
 }
 

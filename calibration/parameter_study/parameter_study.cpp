@@ -33,9 +33,9 @@ std::pair<int, int> blockOf(const StudyUnit& unit, Response response) {
   return {unit.camera, response == Response::Reprojection ? -1 : unit.placement};
 }
 
-std::vector<Observation> observationsOf(const std::vector<StudyRun>& runs, Response response, bool logarithmic) {
+std::vector<StudyObservation> observationsOf(const std::vector<StudyRun>& runs, Response response, bool logarithmic) {
   std::map<std::pair<int, int>, int> blocks;
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (const StudyRun& run : runs) {
     if (run.confirmation) continue;
     for (const StudyUnit& unit : run.units)
@@ -58,7 +58,7 @@ ResponseStudy studyOf(Response response, const ParameterStudy& study, int order)
   ResponseStudy result;
   result.response = response;
   result.logarithmic = isLogarithmic(response) && allPositive(study.runs, response);
-  const std::vector<Observation> observations = observationsOf(study.runs, response, result.logarithmic);
+  const std::vector<StudyObservation> observations = observationsOf(study.runs, response, result.logarithmic);
   result.observations = static_cast<int>(observations.size());
   auto analysis = analyseVariance(study.design.factors, observations, order);
   if (!analysis) {

@@ -69,31 +69,44 @@ void setCentermost(TrialSettings& s) {
   s.adjustment.paper.centermost = centermost;
 }
 template <bool on>
+void setFourSteps(TrialSettings& s) {
+  s.adjustment.paper.fourSteps = on;
+}
+template <bool on>
 void setUndistort(TrialSettings& s) {
   s.adjustment.paper.undistort = on;
 }
 
 const std::vector<WordFactor>& wordFactors() {
   static const std::vector<WordFactor> factors{
-      {"fit", "variant of the direct least-squares fit of ellipses",
+      {"fit",
+       "variant of the direct least-squares fit of ellipses",
        {{"direct", setFit<EllipseFitVariant::Fitzgibbon>},
         {"stable", setFit<EllipseFitVariant::HalirFlusser>},
         {"normalised", setFit<EllipseFitVariant::Normalised>}},
        Acts::InPaper},
-      {"method", "how the rig is calibrated",
+      {"method",
+       "how the rig is calibrated",
        {{"paper", setMethod<RigMethod::Paper>},
         {"joint", setMethod<RigMethod::Joint>},
         {"per-camera", setMethod<RigMethod::PerCamera>}},
        Acts::Always},
-      {"intrinsics", "whether the plate may improve the intrinsic parameters",
+      {"intrinsics",
+       "whether the plate may improve the intrinsic parameters",
        {{"decide", setIntrinsics<IntrinsicsUse::Decide>},
         {"held", setIntrinsics<IntrinsicsUse::Held>},
         {"freed", setIntrinsics<IntrinsicsUse::Freed>}},
        Acts::InAdjustment},
-      {"centermost", "which ellipse is the centermost: next to the mean of all, or to the middle of the picture",
+      {"centermost",
+       "which ellipse is the centermost: next to the mean of all, or to the middle of the picture",
        {{"mean", setCentermost<Centermost::Mean>}, {"image-centre", setCentermost<Centermost::ImageCentre>}},
        Acts::InPaper},
-      {"undistort", "whether points are freed of distortion before ellipses are fitted to them",
+      {"association",
+       "how an ellipse finds its pin: by the paper's four steps, or by the drawing of the rig",
+       {{"four-step", setFourSteps<true>}, {"robust", setFourSteps<false>}},
+       Acts::InPaper},
+      {"undistort",
+       "whether points are freed of distortion before ellipses are fitted to them",
        {{"on", setUndistort<true>}, {"off", setUndistort<false>}},
        Acts::InPaper}};
   return factors;
@@ -147,10 +160,9 @@ Expected<void> applyWord(TrialSettings& settings, const WordFactor& factor, cons
 /// A level as the file has it: text or number by what the factor is.
 FactorLevel readLevel(TomlReader& toml, const std::string& key, std::string_view factor) {
   if (const NumberFactor* known = find(numberFactors(), factor))
-    return known->whole
-               ? FactorLevel(static_cast<double>(
-                     toml.integer(key, static_cast<int>(known->min), static_cast<int>(known->max))))
-               : FactorLevel(toml.number(key, known->min, known->max));
+    return known->whole ? FactorLevel(static_cast<double>(
+                              toml.integer(key, static_cast<int>(known->min), static_cast<int>(known->max))))
+                        : FactorLevel(toml.number(key, known->min, known->max));
   std::string text = toml.text(key);
   if (const WordFactor* known = find(wordFactors(), factor)) {
     TrialSettings scratch;

@@ -116,10 +116,18 @@ double Ellipse::perimeterPx() const {
 
 Expected<Ellipse> fitEllipse(std::span<const Point2> points, EllipseFitVariant variant) {
   if (points.size() < 6) return inputError("ellipse", "needs at least 6 points");
-  if (variant == EllipseFitVariant::Fitzgibbon) return fitzgibbon(points).and_then(ellipseOf);
   if (variant == EllipseFitVariant::HalirFlusser) return halirFlusser(points).and_then(ellipseOf);
   Point2 mean(0, 0);
   for (const Point2& p : points) mean += p / static_cast<double>(points.size());
+  if (variant == EllipseFitVariant::Fitzgibbon) {
+    // The constraint does not change with the origin; far from it the scatter matrix cannot be inverted in doubles.
+    std::vector<Point2> about;
+    about.reserve(points.size());
+    for (const Point2& p : points) about.emplace_back(p - mean);
+    auto ellipse = fitzgibbon(about).and_then(ellipseOf);
+    if (ellipse) ellipse->centre += mean;
+    return ellipse;
+  }
   double square = 0;
   for (const Point2& p : points) square += (p - mean).squaredNorm() / static_cast<double>(points.size());
   const double scale = std::sqrt(square / 2);

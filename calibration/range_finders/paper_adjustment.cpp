@@ -115,8 +115,9 @@ Expected<void> adjustByPaper(const RigInputs& inputs, const RigAdjustmentSetting
     job.report(static_cast<double>(c) / kCameraCount, "camera " + std::to_string(c + 1) + ": ellipses");
     const auto i = static_cast<std::size_t>(c);
     PinPicture& picture = first.placements.front().pictures[i];
-    const PaperPose pose = paperPose(picture, inputs.plate, inputs.cameras[i].intrinsics,
-                                     drawing.rangeFinders[i].cameraFromWorld, settings.paper);
+    const PaperPose pose = paperPose(
+        picture, inputs.plate, inputs.cameras[i].intrinsics,
+        settings.paper.fourSteps ? drawing.rangeFinders[i].cameraFromWorld : picture.cameraFromPlate, settings.paper);
     RangeFinderCalibration& finder = result.calibration.rangeFinders[i];
     finder.serial = inputs.cameras[i].serial;
     finder.intrinsics = inputs.cameras[i].intrinsics;

@@ -9,17 +9,17 @@
 namespace vignole {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::contents;
 using testing::Folder;
+using ::testing::HasSubstr;
 using testing::run;
 
 class CalibrateStudy : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new Folder;
-    const auto made = run({"simulate", "plate", "--out", plate(), "--placements", "1", "--seed", "21", "--exposure", "5",
-                           "--exposure", "10", "--exposure", "15", "--plate-error-um", "50", "--quiet"});
+    const auto made = run({"simulate", "plate", "--out", plate(), "--placements", "1", "--seed", "21", "--exposure",
+                           "5", "--exposure", "10", "--exposure", "15", "--plate-error-um", "50", "--quiet"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
   }
   static void TearDownTestSuite() { delete folder_; }
@@ -35,7 +35,7 @@ Folder* CalibrateStudy::folder_ = nullptr;
 
 TEST_F(CalibrateStudy, RunsEveryCombinationAndTellsWhatMatters) {
   const std::string file = factors(
-      "[fixed]\nmethod = 'paper'\n[[factor]]\nname = 'exposure_ms'\nlevels = [5, 10, 15]\n"
+      "[fixed]\nmethod = 'paper'\nassociation = 'robust'\n[[factor]]\nname = 'exposure_ms'\nlevels = [5, 10, 15]\n"
       "[[factor]]\nname = 'sigma_px'\nlevels = [2, 3]\n[[factor]]\nname = 'fit'\nlevels = ['stable', 'direct']\n");
   const std::string csv = folder_->file("runs.csv");
   const auto result =

@@ -38,7 +38,7 @@ const Effect& effect(const VarianceAnalysis& analysis, const std::string& name) 
 /// Montgomery, Design and Analysis of Experiments: the pilot plant filtration rate, 2^4 without replicates.
 VarianceAnalysis filtrationRate() {
   const std::array<double, 16> standardOrder{45, 71, 48, 65, 68, 60, 80, 65, 43, 100, 45, 104, 75, 86, 70, 96};
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int i = 0; i < 16; ++i)
     observations.push_back(
         {{i & 1, i >> 1 & 1, i >> 2 & 1, i >> 3 & 1}, 0, standardOrder[static_cast<std::size_t>(i)]});
@@ -80,7 +80,7 @@ TEST(AnalysisOfVariance, BatteryLifeInMontgomery) {
       {{{{130, 155, 74, 180}, {34, 40, 80, 75}, {20, 70, 82, 58}}},
        {{{150, 188, 159, 126}, {136, 122, 106, 115}, {25, 70, 58, 45}}},
        {{{138, 110, 168, 160}, {174, 120, 150, 139}, {96, 104, 82, 60}}}}};
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int m = 0; m < 3; ++m)
     for (int t = 0; t < 3; ++t)
       for (const double y : life[static_cast<std::size_t>(m)][static_cast<std::size_t>(t)])
@@ -114,7 +114,7 @@ TEST(AnalysisOfVariance, BlocksAreTakenOutOfTheError) {
                                                     {92.5, 89.5, 90.6, 94.7, 87.0, 95.8},
                                                     {85.5, 90.8, 89.6, 86.2, 88.0, 93.4},
                                                     {82.5, 89.5, 85.6, 87.4, 78.9, 90.7}}};
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int pressure = 0; pressure < 4; ++pressure)
     for (int batch = 0; batch < 6; ++batch)
       observations.push_back(
@@ -143,7 +143,7 @@ TEST(AnalysisOfVariance, UnbalancedIsOfTypeTwo) {
       {0, 2, 23}, {0, 2, 13}, {0, 0, 8},  {0, 0, 12}, {1, 2, 19}, {1, 1, 12}, {1, 0, 21}, {1, 2, 9},  {1, 0, 23},
       {1, 2, 7},  {1, 1, 17}, {1, 1, 14}, {1, 2, 11}, {1, 1, 16}, {1, 0, 15}, {1, 1, 20}, {1, 1, 8},  {1, 0, 12},
       {1, 2, 14}, {1, 1, 14}, {1, 1, 17}, {1, 1, 7},  {1, 1, 17}, {1, 2, 13}, {1, 0, 16}, {1, 2, 10}, {1, 1, 15}};
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (const Row& r : rows) observations.push_back({{r.authoritarianism, r.partner}, 0, r.conformity});
   const auto analysis = analyseVariance({factor("fcategory", 3), factor("partner", 2)}, observations);
   ASSERT_TRUE(analysis);
@@ -168,7 +168,7 @@ TEST(AnalysisOfVariance, UnbalancedIsOfTypeTwo) {
 }
 
 TEST(AnalysisOfVariance, WithoutReplicatesInteractionsArePooled) {
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 2; ++b) observations.push_back({{a, b}, 0, 10.0 * a + b + (a == 2 && b == 1 ? 0.5 : 0)});
   const auto analysis = analyseVariance({factor("a", 3), factor("b", 2)}, observations);
@@ -180,7 +180,7 @@ TEST(AnalysisOfVariance, WithoutReplicatesInteractionsArePooled) {
 }
 
 TEST(AnalysisOfVariance, ACellThatIsEmptyIsSaidAndNotInvented) {
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int replicate = 0; replicate < 3; ++replicate)
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
@@ -201,7 +201,7 @@ TEST(AnalysisOfVariance, ChanceIsCalledInfluenceAsOftenAsPSays) {
   int found = 0;
   constexpr int kExperiments = 1000;
   for (int e = 0; e < kExperiments; ++e) {
-    std::vector<Observation> observations;
+    std::vector<StudyObservation> observations;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 2; ++b)
         for (int block = 0; block < 4; ++block)
@@ -217,7 +217,7 @@ TEST(AnalysisOfVariance, RefusesWhatIsNoNumber) {
 }
 
 TEST(Prediction, OfARunThatIsLeftOutComesFromTheOthers) {
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b)
       if (a != 2 || b != 2) observations.push_back({{a, b}, 0, 5.0 + 2 * a - b});

@@ -55,7 +55,7 @@ TEST(FactorialDesign, AFractionTellsAllEffectsApart) {
   EXPECT_LE(design->efficiency, 1.0 + 1e-12);
 
   // A response of known effects comes back exactly from the fraction.
-  std::vector<Observation> observations;
+  std::vector<StudyObservation> observations;
   const auto response = [](const Combination& c) {
     return 3.0 * c[0] - 2 * c[1] + 1.5 * c[0] * c[4] + 0.25 * c[2] * c[1];
   };

@@ -13,7 +13,7 @@ namespace vignole {
 namespace {
 
 constexpr int kCampaigns = 100;
-constexpr double kChi2Of100At97 = 129.56, kChi2Of100At02 = 74.22;
+constexpr double kChi2Of100At97 = 129.56, kChi2Of100At02 = 74.22;  // 95 %: of 22 asked, one may lie outside
 
 void table(double plateErrorMm, std::uint64_t firstSeed) {
   struct Row {
@@ -44,6 +44,7 @@ void table(double plateErrorMm, std::uint64_t firstSeed) {
               "");
   for (const Dimension d : kDimensions) std::printf(" %14s", std::string(name(d)).c_str());
   std::printf("   CD     RD     PD mm  refused\n");
+  int outside = 0;
   for (const Row& row : rows) {
     std::printf("%-14s", row.name);
     const auto n = static_cast<double>(row.outcomes.size());
@@ -54,9 +55,10 @@ void table(double plateErrorMm, std::uint64_t firstSeed) {
         chi2 += std::pow(o.errorMm[index(d)] / o.uMm[index(d)], 2);
       }
       std::printf(" %7.1f (%4.2f)", 1000 * std::sqrt(square / n), chi2 / n);
-      if (&row == rows.data() && d != Dimension::HF && d != Dimension::HR) {
-        EXPECT_LE(chi2, kChi2Of100At97) << name(d);
-        EXPECT_GE(chi2, kChi2Of100At02) << name(d);
+      if (&row == rows.data() && d != Dimension::HF && d != Dimension::HR &&
+          (chi2 > kChi2Of100At97 || chi2 < kChi2Of100At02)) {
+        ++outside;
+        std::printf("!");
       }
     }
     double cd = 0, rd = 0, pd = 0;
@@ -67,6 +69,7 @@ void table(double plateErrorMm, std::uint64_t firstSeed) {
     }
     std::printf(" %6.3f %6.3f %6.3f  %d\n", cd, rd, pd, row.refused);
   }
+  EXPECT_LE(outside, 1) << "dimensions whose stated uncertainty is outside of the 95 % interval";
 }
 
 }  // namespace
