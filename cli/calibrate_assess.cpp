@@ -78,7 +78,7 @@ int run(const Options& o) {
   if (previous) {
     auto compared = compare(*previous, *calibration, *section, parameters);
     if (!compared) return fail({o.previous, compared.error().message()});
-    withPrevious = std::move(*compared);
+    withPrevious = *compared;
   }
   progress.reset();
 

@@ -26,12 +26,13 @@ struct Places {
 
 /// Of the pixels in which the newer one sees the space of a rail.
 Places placesOf(const RangeFinderCalibration& older, const RangeFinderCalibration& newer) {
-  constexpr double kHalfWidthMm = 70, kHeightMm = 170, kStepMm = 10;
+  constexpr int kHalfWidth = 7, kHeight = 17;
+  constexpr double kStepMm = 10;
   const PlaneMap a(older), b(newer);
   Places places;
-  for (double x = -kHalfWidthMm; x <= kHalfWidthMm; x += kStepMm)
-    for (double y = 0; y <= kHeightMm; y += kStepMm) {
-      const Point2 px = pixelOf(newer, {x, y});
+  for (int column = -kHalfWidth; column <= kHalfWidth; ++column)
+    for (int row = 0; row <= kHeight; ++row) {
+      const Point2 px = pixelOf(newer, {kStepMm * column, kStepMm * row});
       const bool seen = px.x() > 0 && px.y() > 0 && px.x() < newer.intrinsics.widthPx - 1 &&
                         px.y() < newer.intrinsics.heightPx - 1;  // false if it is no number
       if (!seen) continue;

@@ -154,8 +154,8 @@ std::vector<DimensionUncertainty> dimensionUncertaintyByCamera(const DimensionJa
     const auto row = jacobian.row(static_cast<int>(index(one.dimension)));
     const Eigen::VectorXd shared = rig.covariance * row.transpose();
     for (int c = 0; c < kCameraCount; ++c) {
-      const double part = row.segment<kCameraParameters>(c * kCameraParameters)
-                              .dot(shared.segment<kCameraParameters>(c * kCameraParameters));
+      const Eigen::Index at = static_cast<Eigen::Index>(c) * kCameraParameters;
+      const double part = row.segment<kCameraParameters>(at).dot(shared.segment<kCameraParameters>(at));
       // A part may be negative where cameras' errors cancel: then it takes away, and is told as nothing.
       one.contributions.push_back({"camera " + std::to_string(c + 1), std::sqrt(std::max(0.0, part))});
     }

@@ -45,6 +45,7 @@ double medianOf(std::vector<double> values) {
 double shareBeyond3(const std::vector<double>& all) {
   if (all.empty()) return 0;
   std::vector<double> sizes;
+  sizes.reserve(all.size());
   for (const double r : all) sizes.push_back(std::abs(r));
   const double scale = kNormalMad * medianOf(sizes);
   const auto beyond = std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s > 3 * scale; });

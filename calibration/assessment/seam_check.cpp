@@ -65,7 +65,7 @@ std::vector<PairSeam> pairSeams(std::span<const PinPixels> arcs, const RigCalibr
     place.centre = centreOf(arcs[i], calibration.rangeFinders[c], pin->radiusMm);
     if (!place.centre.valid) continue;
     if (known)
-      place.byRig.middleCols<kCameraParameters>(arcs[i].camera * kCameraParameters) =
+      place.byRig.middleCols<kCameraParameters>(static_cast<Eigen::Index>(c) * kCameraParameters) =
           placeJacobian(calibration.rangeFinders[c], pixelOf(calibration.rangeFinders[c], place.centre.mm));
     places[i] = place;
   }

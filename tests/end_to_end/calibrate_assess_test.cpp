@@ -14,9 +14,9 @@ using nlohmann::json;
 
 /// Pictures of rig 7's plate in a folder of their own.
 std::string pictures(const Folder& folder, const std::string& name, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments = {"simulate",         "plate", "--out",  folder.file(name),
-                                        "--rig-seed",       "7",     "--seed", "7",
-                                        "--plate-error-um", "3",     "--quiet"};
+  std::vector<std::string> arguments = {"simulate",   "plate",  "--out",  folder.file(name),  "--rig-seed",
+                                        "7",          "--seed", "7",      "--plate-error-um", "3",
+                                        "--noise-px", "0.1",    "--quiet"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const ProgramResult result = run(arguments);
   EXPECT_EQ(result.exitCode, 0) << result.err;
@@ -33,8 +33,8 @@ const json& check(const json& document, const std::string& name) {
 TEST(CalibrateAssess, JudgesACalibrationOnPlacementsThatItHasNotSeen) {
   const Folder folder;
   const std::string plate = pictures(folder, "plate", {"--placements", "3"});
-  std::vector<std::string> calibrate = {"calibrate", "rig", "--plate", plate + "/plate.toml", "--interval-days", "90",
-                                        "--quiet"};
+  std::vector<std::string> calibrate = {"calibrate",       "rig", "--plate", plate + "/plate.toml",
+                                        "--interval-days", "90",  "--quiet"};
   for (const char* placement : {"/placement1", "/placement2"})
     calibrate.insert(calibrate.end(), {"--placement", plate + placement});
   for (int c = 1; c <= 4; ++c)

@@ -156,7 +156,7 @@ TEST(Seam, ACameraThatMovedIsSeen) {
   const Check check = seamShiftCheck(seams);
   EXPECT_FALSE(check.pass());
   EXPECT_NEAR(check.value, 0.03, 0.004);
-  EXPECT_NE(check.words.find("3"), std::string::npos) << check.words;
+  EXPECT_NE(check.words.find('3'), std::string::npos) << check.words;
   // Not if the calibration is that uncertain.
   RigCalibration uncertain = moved;
   uncertain.covariance = Eigen::MatrixXd::Zero(kRigParameters, kRigParameters);
