@@ -30,11 +30,13 @@ std::string cameraName(std::size_t camera) { return "camera" + std::to_string(ca
 /// To be run in the campaign's folder, by a shell.
 std::string commands(const Options& options, const SimulatedPlate& plate, std::uint64_t rigSeed) {
   std::string text = "# In this folder: sh commands.txt\n";
-  std::string intrinsics, placements;
+  std::string intrinsics, placements, print = " --target " + options.target.target;
+  if (options.target.lightDots) print += " --light-dots";
+  if (options.target.errorUm > 0) print += " --target-tolerance-um " + plain(options.target.errorUm);
   for (std::size_t camera = 0; camera < kCameraCount; ++camera) {
     const std::string name = cameraName(camera);
-    text += "vignole-cli calibrate intrinsics " + name + "/view*.png --target " + options.target.target + " --out " +
-            name + ".toml\n";
+    text += "vignole-cli calibrate intrinsics " + name + "/view*.png" + print + " --serial " +
+            plate.atExposures.front()->calibration().rangeFinders[camera].serial + " --out " + name + ".toml\n";
     intrinsics += " " + name + ".toml";
   }
   // At several exposures: the usual one, or the first.

@@ -6,8 +6,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -26,11 +24,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kUsualExposureMs = 15;
 constexpr double kLeastUMm = 1e-4;  // an adjustment wants no plate without any uncertainty
 constexpr double kRadiusShare = 0.2;
-
-std::string plain(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
 
 PinPlate mirrored(PinPlate plate) {
   for (Pin& pin : plate.pins) pin.centreMm.x() = -pin.centreMm.x();

@@ -1,7 +1,9 @@
 #include "cli/simulated_files.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <mutex>
 #include <opencv2/core/mat.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -27,6 +29,11 @@ Expected<void> writePicture(const PictureJob& job) {
 }
 
 }  // namespace
+
+std::string plain(double value) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
 
 Expected<void> makeFolder(const std::filesystem::path& folder) {
   std::error_code problem;

@@ -23,6 +23,9 @@ struct PictureJob {
 /// the error.
 [[nodiscard]] Expected<void> writePictures(const std::vector<PictureJob>& jobs, Progress& progress);
 
+/// The shortest text that reads back as the same number.
+[[nodiscard]] std::string plain(double value);
+
 [[nodiscard]] Expected<void> makeFolder(const std::filesystem::path& folder);
 
 }  // namespace vignole::cli

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -161,7 +162,7 @@ PlateScene VirtualPlate::Impl::sceneOf(std::size_t placement) const {
   for (const Pin& pin : settings.plate.pins) middle += pin.centreMm / static_cast<double>(settings.plate.pins.size());
   const Eigen::Isometry3d pose = worldFromPlate(settings.placements[placement], middle);
   PlateScene scene;
-  scene.key = placement;
+  scene.key = hash(0, Stream::Placement, {placement, std::bit_cast<std::uint64_t>(settings.exposureMs)});
   const double surface = settings.plate.surfaceMm, protrusion = settings.plate.protrusionMm;
   for (const MadePin& pin : pins) {
     if (std::find(settings.missingPins.begin(), settings.missingPins.end(), pin.stated.number) !=

@@ -27,7 +27,7 @@ struct VirtualPlateSettings {
   /// Standard deviation of each pin's own lean, each direction, about its foot in the plate's surface.
   double leanMrad = 0;
   std::vector<PlatePlacement> placements;
-  double exposureMs = 15;  ///< scales the light, the pins' and the ambient; shot noise follows
+  double exposureMs = 15;  ///< scales the light, the pins' and the ambient; shot noise follows; draws other noise
   /// All noise (read noise, speckle contrast; variance of shot noise by the square) is scaled by the one factor at
   /// which the median Cramer-Rao bound, along the normal, of a point that 1 px of line gives is this many px: over
   /// every visible px of line in all cameras of the first placement, exposed for 15 ms (line_bound.h), whatever

@@ -182,7 +182,7 @@ TEST(SimulateTarget, WritesViewsWithTheirTruth) {
 TEST(SimulateCampaign, WritesAllOfOneCalibrationAndItsCommands) {
   const Folder folder;
   const auto done = run({"simulate", "campaign", "--out", folder.file("c"), "--views", "1", "--placements", "2",
-                         "--plate-error-um", "3", "--rig-seed", "9"});
+                         "--plate-error-um", "3", "--target-error-um", "20", "--rig-seed", "9"});
   ASSERT_EQ(done.exitCode, 0) << done.err;
   const fs::path out = folder.path() / "c";
   for (const char* name : {"camera1/view01.png", "camera4/view01.png", "plate.toml", "placement1/camera1.png",
@@ -193,7 +193,8 @@ TEST(SimulateCampaign, WritesAllOfOneCalibrationAndItsCommands) {
   EXPECT_EQ(truth["rig"]["cameras"].size(), 4U);
   const std::string commands = contents(out / "commands.txt");
   for (const char* part :
-       {"calibrate intrinsics camera1/view*.png --target circles:13x9:12:6 --out camera1.toml",
+       {"calibrate intrinsics camera1/view*.png --target circles:13x9:12:6 --target-tolerance-um 20 --serial "
+        "VIRTUAL-9-1 --out camera1.toml",
         "calibrate rig --plate plate.toml --placement placement1 placement2 --intrinsics camera1.toml",
         "inspect --rig-seed 9 --calibration rig.toml"})
     EXPECT_NE(commands.find(part), std::string::npos) << part;
