@@ -204,7 +204,7 @@ Json toJson(const LightPlaneCalibration& c) {
           {"points", c.points},
           {"u", {{"normal_mrad", c.uNormalMrad}, {"distance_mm", c.uDistanceMm}, {"plane_at_lines_mm", c.uAtTargetMm}}},
           {"covariance", std::move(covariance)},
-          {"chi2_per_dof", {{"lines", c.chi2PerDof}, {"poses", c.poseChi2PerDof}}},
+          {"chi2_per_dof", c.chi2PerDof},
           {"accepted", c.accepted()},
           {"refusals", c.refusals},
           {"views", std::move(views)}};

@@ -137,7 +137,6 @@ class Calibration {
     result_.distanceMm = plane.distanceMm;
     result_.covariance = plane.covariance;
     result_.chi2PerDof = plane.chi2PerDof;
-    result_.poseChi2PerDof = plane.poseChi2PerDof;
     double squares = 0;
     middle_.setZero();
     for (std::size_t i = 0; i < stripes_.size(); ++i) {

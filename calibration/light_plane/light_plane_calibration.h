@@ -39,9 +39,8 @@ struct LightPlaneCalibration {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   double uNormalMrad = 0;  ///< about the worst axis
   double uDistanceMm = 0;
-  double uAtTargetMm = 0;             ///< of the plane along its normal, in the middle of the lines
-  double chi2PerDof = 0;              ///< of the lines' own noise
-  double poseChi2PerDof = 0;          ///< of how well the views agree, in their poses' uncertainties
+  double uAtTargetMm = 0;  ///< of the plane along its normal, in the middle of the lines
+  double chi2PerDof = 0;   ///< of the views' lines about the plane, by the lines' and the poses' uncertainties
   std::vector<LightPlaneView> views;  ///< in the order given
   std::vector<std::string> refusals;  ///< "refused, because ..., do ..."; empty: may be used
   [[nodiscard]] bool accepted() const { return refusals.empty(); }

@@ -1,6 +1,5 @@
 #include "calibration/light_plane/line_choice.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -39,25 +38,12 @@ Candidate candidateOf(const TargetStripe& stripe, std::size_t index, int line, c
     c.ends = {Vector3d::Zero(), Vector3d::Zero()};
     return c;
   }
-  Vector3d middle = Vector3d::Zero();
-  const auto n = static_cast<double>(view.points.size());
-  Eigen::Matrix<double, 3, 6> byPose = Eigen::Matrix<double, 3, 6>::Zero();
-  for (const PlanePoint3& p : view.points) {
-    middle += p.mm / n;
-    byPose += p.byPose / n;
-    c.covariance += p.perPx * p.perPx.transpose() * (p.sigmaPx * p.sigmaPx / (n * n));
-  }
-  c.covariance += byPose * stripe.pose.covariance * byPose.transpose();
-  Matrix3d scatter = Matrix3d::Zero();
-  for (const PlanePoint3& p : view.points) scatter += (p.mm - middle) * (p.mm - middle).transpose();
-  const Vector3d along = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors().col(2);
-  double low = 0, high = 0;
-  for (const PlanePoint3& p : view.points) {
-    low = std::min(low, along.dot(p.mm - middle));
-    high = std::max(high, along.dot(p.mm - middle));
-  }
-  c.ends = {middle + low * along, middle + high * along};
-  c.distanceMm = middle.norm();
+  const LinePoint &first = view.points[0], &second = view.points[1];
+  const Eigen::Matrix<double, 3, 6> byPose = 0.5 * (first.byPose + second.byPose);
+  c.covariance = 0.5 * first.sigmaMm * first.sigmaMm * first.across * first.across.transpose() +
+                 byPose * stripe.pose.covariance * byPose.transpose();
+  c.ends = {first.mm, second.mm};
+  c.distanceMm = first.mm.norm();
   return c;
 }
 

@@ -10,31 +10,28 @@
 
 namespace vignole {
 
-struct PlanePoint3 {
+/// A line on a target is known by two points of it, whose errors across the line are independent.
+struct LinePoint {
   Eigen::Vector3d mm{0, 0, 0};         ///< camera's frame
-  Eigen::Vector3d perPx{0, 0, 0};      ///< by a shift of the line along its normal in the picture
-  Eigen::Matrix<double, 3, 6> byPose;  ///< by the target's pose
-  double sigmaPx = 0;
+  Eigen::Vector3d across{0, 0, 0};     ///< unit vector in the target's plane, across the line
+  double sigmaMm = 0;                  ///< along it
+  Eigen::Matrix<double, 3, 6> byPose;  ///< of the point, by the target's pose
 };
 struct PlaneView {
-  std::vector<PlanePoint3> points;
+  std::vector<LinePoint> points;  ///< two; none where the line cannot be seen with these intrinsics
   Eigen::Matrix<double, 6, 6> poseCovariance;
 };
-/// Points of a line in the camera's frame.
 [[nodiscard]] PlaneView planeView(const TargetLine& line, const TargetPose& pose, const Intrinsics& in);
 
 struct FittedPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double distanceMm = 0;  ///< >= 0
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
-  double chi2PerDof = 0, poseChi2PerDof = 0;
+  double chi2PerDof = 0;  ///< of the lines about the plane, by their and their poses' uncertainties
   bool ok = false;
   [[nodiscard]] double distance(const Eigen::Vector3d& p) const { return normal.dot(p) - distanceMm; }
 };
-/// At least 3 points. Uncertainties are widened where the points, or the views, scatter more than they say.
+/// At least two views. The covariance is widened where the lines scatter more than they say.
 [[nodiscard]] FittedPlane fitPlane(const std::vector<PlaneView>& views);
-
-/// Standard uncertainty of a view's line along the plane's normal, its pose's part included, mm.
-[[nodiscard]] double lineUncertainty(const PlaneView& view, const Eigen::Vector3d& normal);
 
 }  // namespace vignole

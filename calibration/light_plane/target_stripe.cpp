@@ -19,10 +19,9 @@ constexpr double kStraightPx = 1.5;       // how far off the straight line a poi
 constexpr std::size_t kLeastPoints = 12;  // of a line
 constexpr int kLeastSide = 32;            // px, for the extraction
 constexpr int kMarginPx = 16;             // about the target
-// Print under the line pulls it aside: what is predicted is taken off, half of it stays uncertain, alike for so many
-// neighbours. Lines pulled further, in their widths, are left out.
+// Print under the line pulls it aside: what is predicted is taken off, half of it stays uncertain. Lines pulled
+// further, in their widths, are left out.
 constexpr double kPullUncertain = 0.5, kMostPull = 0.35;
-constexpr double kPulledAlike = 10;
 constexpr double kUsualBlack = 0.3;  // light that black gives back, of white's, where the line does not show it
 constexpr std::size_t kLeastShades = 15;
 
@@ -150,13 +149,41 @@ double bendOf(const std::vector<Sample>& samples) {
   return medianOf(std::move(distances));
 }
 
+/// By how much the points' standard uncertainties have to grow for what they scatter about the straight line, and for
+/// what neighbours share of it: the number of points that come to one independent one.
+double widening(const Straight& straight, const std::vector<const Sample*>& samples) {
+  constexpr std::size_t kMostLag = 60;
+  constexpr double kLeastScatter = 0.5;
+  std::vector<double> errors;
+  double mean = 0, square = 0;
+  for (const Sample* s : samples) {
+    errors.push_back(straight.distance(s->stripe.onTargetMm) / (s->stripe.sigmaPx * s->mmPerPx));
+    mean += errors.back() / static_cast<double>(samples.size());
+  }
+  for (double& e : errors) {
+    e -= mean;
+    square += e * e / static_cast<double>(errors.size());
+  }
+  double together = 1;
+  for (std::size_t lag = 1; lag <= std::min(kMostLag, errors.size() / 4); ++lag) {
+    double product = 0;
+    for (std::size_t i = 0; i + lag < errors.size(); ++i) product += errors[i] * errors[i + lag];
+    const double correlation = product / (static_cast<double>(errors.size() - lag) * std::max(square, 1e-12));
+    if (correlation < 0.05) break;
+    together += 2 * correlation;
+  }
+  return std::max(std::sqrt(square), kLeastScatter) * std::sqrt(together);
+}
+
 TargetLine lineOf(const std::vector<const Sample*>& samples) {
   TargetLine line;
   const Straight straight = fitted(samples);
+  const double wider = widening(straight, samples);
   std::vector<double> contrasts;
   double squares = 0;
   for (const Sample* s : samples) {
     line.samples.push_back(s->stripe);
+    line.samples.back().sigmaPx *= wider;
     line.lengthMm += s->stepMm;
     contrasts.push_back(s->contrastDn);
     squares += std::pow(straight.distance(s->stripe.onTargetMm), 2);
@@ -194,7 +221,6 @@ class Finder {
   [[nodiscard]] std::vector<Sample> samplesOf(const StripeResult& extracted, const Window& window,
                                               const Extrinsics& pose) const {
     std::vector<Sample> samples;
-    const double shared = std::sqrt(std::max(1.0F, extracted.correlatedPoints));
     for (std::size_t l = 0; l < extracted.lines.size(); ++l) {
       const StripeLine& line = extracted.lines[l];
       Point2 last(0, 0);
@@ -210,7 +236,7 @@ class Finder {
         Sample s;
         s.stripe.px = px;
         s.stripe.normalPx = normal;
-        s.stripe.sigmaPx = shared * std::max(p.sigmaPx, 1e-3F);
+        s.stripe.sigmaPx = std::max(p.sigmaPx, 1e-3F);
         s.contrastDn = p.strength;
         s.line = l;
         s.stripe.onTargetMm = *here;
@@ -272,7 +298,7 @@ class Finder {
       if (std::abs(pull) > kMostPull) continue;
       const double pullPx = pull * s.widthPx;
       const double uncertain = settings_.printSeen ? 1 : kPullUncertain;
-      s.stripe.sigmaPx = std::hypot(s.stripe.sigmaPx, uncertain * pullPx * std::sqrt(kPulledAlike));
+      s.stripe.sigmaPx = std::hypot(s.stripe.sigmaPx, uncertain * pullPx);
       if (!settings_.printSeen) {
         s.stripe.px -= pullPx * s.stripe.normalPx;
         if (const auto there = onTarget(s.stripe.px, pose, in_)) s.stripe.onTargetMm = *there;

@@ -40,7 +40,11 @@ struct TargetStripeSettings {
   bool printSeen = false;
   double leastLengthShare = 0.15;  ///< of the target's shorter side
   std::size_t mostLines = 4;
-  TargetStripeSettings() { stripe.sigma = 2; }
+  /// A straight line has no bend to correct, and its points are kept independent.
+  TargetStripeSettings() {
+    stripe.sigma = 2;
+    stripe.correction = false;
+  }
 };
 
 /// `laser`: the picture in which the line is bright, at least 32 x 32; of a colour picture best the laser's channel
