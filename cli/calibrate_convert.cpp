@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "calibration/intrinsics/lens_files.h"
+#include "calibration/lens_files/lens_files.h"
 #include "cli/calibrate.h"
 #include "cli/console.h"
 #include "cli/intrinsics_output.h"

@@ -11,8 +11,8 @@
 #include <stop_token>
 
 #include "calibration/intrinsics/intrinsics_calibration.h"
-#include "calibration/intrinsics/lens_files.h"
-#include "calibration/intrinsics/next_pose.h"
+#include "calibration/lens_files/lens_files.h"
+#include "calibration/next_pose/next_pose.h"
 #include "calibration/parallel_for.h"
 #include "cli/calibrate.h"
 #include "cli/console.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "calibration/intrinsics/opencv_lens.h"
+#include "calibration/lens_files/opencv_lens.h"
 
 namespace vignole::cli {
 namespace {

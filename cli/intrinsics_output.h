@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "calibration/intrinsics/next_pose.h"
+#include "calibration/next_pose/next_pose.h"
 
 namespace vignole::cli {
 

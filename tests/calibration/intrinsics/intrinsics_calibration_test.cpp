@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/intrinsics/reprojection.h"
-#include "tests/calibration/intrinsics/synthetic_views.h"
+#include "tests/calibration/synthetic_target/synthetic_views.h"
 
 namespace vignole {
 namespace {

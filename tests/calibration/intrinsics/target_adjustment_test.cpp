@@ -7,7 +7,7 @@
 #include "calibration/intrinsics/information.h"
 #include "calibration/intrinsics/robust_fit.h"
 #include "calibration/intrinsics/zhang_start.h"
-#include "tests/calibration/intrinsics/synthetic_observations.h"
+#include "tests/calibration/synthetic_target/synthetic_observations.h"
 
 namespace vignole {
 namespace {

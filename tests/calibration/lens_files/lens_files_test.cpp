@@ -1,13 +1,13 @@
-#include "calibration/intrinsics/lens_files.h"
+#include "calibration/lens_files/lens_files.h"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "calibration/intrinsics/lens_file_readers.h"
+#include "calibration/lens_files/lens_file_readers.h"
 #include "calibration/intrinsics/lens_variant.h"
-#include "calibration/intrinsics/opencv_lens.h"
+#include "calibration/lens_files/opencv_lens.h"
 #include "engine/files/atomic_file.h"
 #include "engine/optics/camera_model.h"
 

@@ -1,10 +1,10 @@
-#include "calibration/intrinsics/lens_files.h"
+#include "calibration/lens_files/lens_files.h"
 
 #include <array>
 #include <cmath>
 
-#include "calibration/intrinsics/lens_file_readers.h"
-#include "calibration/intrinsics/opencv_lens.h"
+#include "calibration/lens_files/lens_file_readers.h"
+#include "calibration/lens_files/opencv_lens.h"
 #include "engine/files/atomic_file.h"
 #include "engine/optics/intrinsics_toml.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "calibration/intrinsics/opencv_lens.h"
+#include "calibration/lens_files/opencv_lens.h"
 
 namespace vignole {
 

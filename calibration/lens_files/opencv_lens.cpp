@@ -1,4 +1,4 @@
-#include "calibration/intrinsics/opencv_lens.h"
+#include "calibration/lens_files/opencv_lens.h"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 // Where to hold the target next: the pose that would reduce the uncertainty of the dimensions most.
 
-#include "calibration/intrinsics/calibration_worth.h"
 #include "calibration/intrinsics/intrinsics_calibration.h"
+#include "calibration/next_pose/calibration_worth.h"
 
 namespace vignole {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calibration/intrinsics/target_adjustment.h"
-#include "tests/calibration/intrinsics/synthetic_views.h"
+#include "tests/calibration/synthetic_target/synthetic_views.h"
 
 namespace vignole {
 

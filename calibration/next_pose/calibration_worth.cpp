@@ -1,4 +1,4 @@
-#include "calibration/intrinsics/calibration_worth.h"
+#include "calibration/next_pose/calibration_worth.h"
 
 #include <Eigen/QR>
 #include <array>

@@ -1,4 +1,4 @@
-#include "calibration/intrinsics/next_pose.h"
+#include "calibration/next_pose/next_pose.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-#include "calibration/intrinsics/lens_file_readers.h"
+#include "calibration/lens_files/lens_file_readers.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "tests/calibration/intrinsics/synthetic_views.h"
+#include "tests/calibration/synthetic_target/synthetic_views.h"
 
 #include <Eigen/Geometry>
 #include <numbers>
