@@ -77,9 +77,10 @@ Expected<AccuracyResult> accuracyStudy(const std::vector<AccuracyPoint>& points,
   if (errors.size() >= 3)
     if (auto agreement = blandAltman(errors, settings)) result.agreement = std::move(*agreement);
   addNormalisedErrors(result, points);
-  result.notes.formulas = {"error = value - reference; bias = mean(error); RMS = sqrt(mean(error^2)); % of the reference",
-                           "interval of the bias: means of the positions, Student's t",
-                           "E_n = error / sqrt(U^2 + U_ref^2), U = 2 u; |E_n| <= 1 agrees"};
+  result.notes.formulas = {
+      "error = value - reference; bias = mean(error); RMS = sqrt(mean(error^2)); % of the reference",
+      "interval of the bias: means of the positions, Student's t",
+      "E_n = error / sqrt(U^2 + U_ref^2), U = 2 u; |E_n| <= 1 agrees"};
   if (result.agreement)
     result.notes.formulas.insert(result.notes.formulas.end(), result.agreement->notes.formulas.begin(),
                                  result.agreement->notes.formulas.end());

@@ -28,12 +28,12 @@ struct AccuracyFigures {
 struct AccuracyResult {
   AccuracyFigures whole;
   std::size_t positions = 0, runs = 0;
-  std::optional<Interval> biasInterval;  ///< from the means of the positions: runs at one position share its error
+  std::optional<ValueRange> biasInterval;  ///< from the means of the positions: runs at one position share its error
   std::vector<double> positionM;
   std::vector<AccuracyFigures> perPosition;
   std::optional<BlandAltman> agreement;  ///< from three values on
-  std::vector<double> en;                ///< per point with both uncertainties: (value - reference) / sqrt(U^2 + U_ref^2)
-  double enMax = 0;                      ///< largest amount
+  std::vector<double> en;  ///< per point with both uncertainties: (value - reference) / sqrt(U^2 + U_ref^2)
+  double enMax = 0;        ///< largest amount
   std::size_t enBeyond1 = 0;
   StudyNotes notes;
 };

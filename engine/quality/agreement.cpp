@@ -34,9 +34,12 @@ void addLimits(BlandAltman& result, const BlandAltmanSettings& settings) {
 
 std::string limitFormula(LimitsMethod method) {
   switch (method) {
-    case LimitsMethod::BlandAltman1986: return "interval of a limit: limit +- t(1 - alpha/2, n - 1) s sqrt(1/n + k^2/(2n))";
-    case LimitsMethod::Exact: return "interval of a limit: bias +- s t'(alpha/2, 1 - alpha/2; n - 1, k sqrt(n)) / sqrt(n)";
-    case LimitsMethod::BlandAltman1999: break;
+    case LimitsMethod::BlandAltman1986:
+      return "interval of a limit: limit +- t(1 - alpha/2, n - 1) s sqrt(1/n + k^2/(2n))";
+    case LimitsMethod::Exact:
+      return "interval of a limit: bias +- s t'(alpha/2, 1 - alpha/2; n - 1, k sqrt(n)) / sqrt(n)";
+    case LimitsMethod::BlandAltman1999:
+      break;
   }
   return "interval of a limit: limit +- t(1 - alpha/2, n - 1) s sqrt(1/n + k^2/(2(n - 1)))";
 }
@@ -59,9 +62,8 @@ Expected<BlandAltman> blandAltman(std::span<const double> differences, const Bla
   }
   addLimits(result, settings);
   result.notes.formulas = {"bias = mean(d), s = sd(d); limits = bias -+ k s", limitFormula(settings.method)};
-  result.notes.constants = {{"k", settings.sigmas},
-                            {"alpha", settings.alpha},
-                            {"t", studentQuantile(1 - settings.alpha / 2, s.degrees())}};
+  result.notes.constants = {
+      {"k", settings.sigmas}, {"alpha", settings.alpha}, {"t", studentQuantile(1 - settings.alpha / 2, s.degrees())}};
   return result;
 }
 
@@ -76,7 +78,7 @@ Expected<Agreement> agreementStudy(std::span<const double> a, std::span<const do
   auto differences = blandAltman(result.difference, settings);
   if (!differences) return tl::unexpected(differences.error());
   result.differences = std::move(*differences);
-  const auto line = fitLine(result.means, result.difference);
+  const auto line = regress(result.means, result.difference);
   if (!line) return tl::unexpected(line.error());
   result.proportional = *line;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/geometry/expected.h"
-#include "engine/quality/line_fit.h"
+#include "engine/quality/regression.h"
 #include "engine/quality/sample.h"
 
 namespace vignole {
@@ -26,8 +26,8 @@ struct BlandAltman {
   std::size_t n = 0;
   double bias = 0;  ///< mean of the differences
   double sd = 0;
-  Interval limits;
-  Interval biasInterval, lowerInterval, upperInterval;
+  ValueRange limits;
+  ValueRange biasInterval, lowerInterval, upperInterval;
   double t = 0, p = 0;  ///< bias against 0
   StudyNotes notes;
 };
@@ -37,9 +37,9 @@ struct BlandAltman {
                                                 const BlandAltmanSettings& settings = {});
 
 struct Agreement {
-  BlandAltman differences;        ///< a - b
-  std::vector<double> means, difference;  ///< per pair: what is drawn
-  LineFit proportional;           ///< of the differences over the means: a slope says that they drift apart
+  BlandAltman differences;                  ///< a - b
+  std::vector<double> means, difference;    ///< per pair: what is drawn
+  Regression proportional;                  ///< of the differences over the means: a slope says that they drift apart
   double correlation = 0, concordance = 0;  ///< Pearson; Lin
 };
 [[nodiscard]] Expected<Agreement> agreementStudy(std::span<const double> a, std::span<const double> b,
@@ -54,7 +54,7 @@ struct Kappa {
   double observed = 0, expected = 0;  ///< share that agrees, and by chance
   double kappa = 0;
   double se = 0, se0 = 0;  ///< of kappa (Fleiss, Cohen, Everitt 1969), and where the true one is 0
-  Interval interval;
+  ValueRange interval;
   double z = 0, p = 0;  ///< against 0
   StudyNotes notes;
 };

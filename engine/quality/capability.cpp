@@ -75,9 +75,9 @@ Expected<CapabilityResult> capabilityStudy(const std::vector<Subgroup>& subgroup
   result.notes.formulas.insert(result.notes.formulas.end(), result.chart.notes.formulas.begin(),
                                result.chart.notes.formulas.end());
   result.notes.constants = result.chart.notes.constants;
-  result.notes.constants.insert(result.notes.constants.end(), {{"n_s", settings.sigmas},
-                                                               {"alpha", settings.alpha},
-                                                               {"nu_within", result.chart.sigmaDegrees}});
+  result.notes.constants.insert(
+      result.notes.constants.end(),
+      {{"n_s", settings.sigmas}, {"alpha", settings.alpha}, {"nu_within", result.chart.sigmaDegrees}});
   return result;
 }
 

@@ -17,16 +17,16 @@ namespace vignole {
 }
 
 struct CapabilitySettings {
-  std::optional<double> lower, upper;  ///< limits of the tolerance; one may be missing, not both
-  double alpha = 0.05;                 ///< of the intervals
-  double sigmas = 6;                   ///< width that is compared with the tolerance
+  std::optional<double> lower, upper;             ///< limits of the tolerance; one may be missing, not both
+  double alpha = 0.05;                            ///< of the intervals
+  double sigmas = 6;                              ///< width that is compared with the tolerance
   ControlChartSettings chart = stabilityChart();  ///< its kind gives the spread within; its signals the stability
   bool evenIfUnstable = false;
 };
 
 struct CapabilityIndex {
   double value = 0;
-  Interval interval;
+  ValueRange interval;
 };
 
 struct CapabilityResult {

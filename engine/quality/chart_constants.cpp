@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 
 #include "engine/quality/distributions.h"
@@ -11,7 +13,8 @@ namespace vignole {
 
 namespace {
 
-/// Density of the range of n standard normal values at r > 0: n (n-1) int phi(x) phi(x + r) (Phi(x + r) - Phi(x))^(n-2).
+/// Density of the range of n standard normal values at r > 0: n (n-1) int phi(x) phi(x + r) (Phi(x + r) -
+/// Phi(x))^(n-2).
 double rangeDensity(int n, double r) {
   // Centred, the integrand is even in x and analytic: the trapezoidal rule converges beyond double precision.
   constexpr double kStep = 0.125, kFar = 9;
@@ -39,7 +42,9 @@ double rounded(double value, int decimals) {
   return std::round(value * scale) / scale;
 }
 
-ChartConstants chartConstants(int n, ConstantPrecision precision) {
+namespace {
+
+ChartConstants exactConstants(int n) {
   ChartConstants c;
   c.n = n;
   c.d2 = rangeMoment(n, 1);
@@ -53,6 +58,22 @@ ChartConstants chartConstants(int n, ConstantPrecision precision) {
   c.a3 = 3 / (c.c4 * root);
   c.b3Limit = std::max(0.0, 1 - 3 * spread / c.c4);
   c.b4Limit = 1 + 3 * spread / c.c4;
+  return c;
+}
+
+/// The quadratures take milliseconds, and charts ask for the same few sizes again and again.
+ChartConstants known(int n) {
+  static std::mutex mutex;
+  static std::map<int, ChartConstants> constants;
+  const std::lock_guard lock(mutex);
+  const auto found = constants.find(n);
+  return found != constants.end() ? found->second : constants.emplace(n, exactConstants(n)).first->second;
+}
+
+}  // namespace
+
+ChartConstants chartConstants(int n, ConstantPrecision precision) {
+  ChartConstants c = known(n);
   if (precision == ConstantPrecision::Exact) return c;
   for (double* value : {&c.d2, &c.d3, &c.a2, &c.d3Limit, &c.d4Limit, &c.a3, &c.b3Limit, &c.b4Limit})
     *value = rounded(*value, 3);

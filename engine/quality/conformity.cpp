@@ -92,7 +92,8 @@ ConformityRisks conformityRisks(const ProcessSpread& process, double u, const To
   risks.consumer = overProcess(process, u, -kInfinite, low, acceptance, accepted) +
                    overProcess(process, u, high, kInfinite, acceptance, accepted);
   risks.producer = overProcess(process, u, low, high, acceptance, rejected);
-  risks.bad = normalProbability((low - process.mean) / process.sd) + normalProbability((process.mean - high) / process.sd);
+  risks.bad =
+      normalProbability((low - process.mean) / process.sd) + normalProbability((process.mean - high) / process.sd);
   return risks;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace vignole {
 
@@ -52,21 +51,6 @@ Expected<void> check(const std::vector<Subgroup>& subgroups, const Data& data, c
   return {};
 }
 
-/// Chart constants by size, computed once each.
-class Constants {
- public:
-  explicit Constants(ConstantPrecision precision) : precision_(precision) {}
-  const ChartConstants& of(std::size_t n) {
-    auto found = known_.find(n);
-    if (found == known_.end()) found = known_.emplace(n, chartConstants(static_cast<int>(n), precision_)).first;
-    return found->second;
-  }
-
- private:
-  ConstantPrecision precision_;
-  std::map<std::size_t, ChartConstants> known_;
-};
-
 std::vector<double> movingRanges(const std::vector<double>& values) {
   std::vector<double> ranges;
   for (std::size_t i = 1; i < values.size(); ++i) ranges.push_back(std::abs(values[i] - values[i - 1]));
@@ -74,10 +58,10 @@ std::vector<double> movingRanges(const std::vector<double>& values) {
 }
 
 /// Within subgroups, of single values: mean over the subgroups of R / d2(n) or s / c4(n).
-void estimateSigma(ControlChart& chart, const Data& data, Constants& constants, bool byRange) {
+void estimateSigma(ControlChart& chart, const Data& data, ConstantPrecision precision, bool byRange) {
   if (data.largest == 1) {
     chart.meanMovingRange = meanOf(movingRanges(data.means));
-    chart.sigma = *chart.meanMovingRange / constants.of(2).d2;
+    chart.sigma = *chart.meanMovingRange / chartConstants(2, precision).d2;
     chart.sigmaDegrees = kMovingRangeEfficiency * static_cast<double>(data.n - 1);
     return;
   }
@@ -85,7 +69,7 @@ void estimateSigma(ControlChart& chart, const Data& data, Constants& constants, 
   double inverse = 0;
   for (const Sample& s : data.samples) {
     if (s.n < 2) continue;
-    const ChartConstants& c = constants.of(s.n);
+    const ChartConstants c = chartConstants(static_cast<int>(s.n), precision);
     spreads.push_back(byRange ? s.range() : s.sd());
     estimates.push_back(spreads.back() / (byRange ? c.d2 : c.c4));
     // Relative variance of this estimate, which 1 / (2 nu) is for s with nu degrees of freedom.
@@ -115,7 +99,8 @@ ChartPanel constantPanel(std::string name, std::vector<double> values, double ce
 }
 
 /// Means with limits by the size of each subgroup, and the rules.
-ChartPanel locationPanel(const ControlChart& chart, const Data& data, const ControlChartSettings& settings, std::string name) {
+ChartPanel locationPanel(const ControlChart& chart, const Data& data, const ControlChartSettings& settings,
+                         std::string name) {
   const auto half = [&](std::size_t n) { return settings.sigmas * chart.sigma / std::sqrt(static_cast<double>(n)); };
   ChartPanel p;
   p.name = std::move(name);
@@ -133,9 +118,10 @@ ChartPanel locationPanel(const ControlChart& chart, const Data& data, const Cont
   return p;
 }
 
-void individuals(ControlChart& chart, const Data& data, const ControlChartSettings& settings, Constants& constants) {
+void individuals(ControlChart& chart, const Data& data, const ControlChartSettings& settings,
+                 ConstantPrecision precision) {
   chart.panels.push_back(locationPanel(chart, data, settings, "I"));
-  const ChartConstants& c = constants.of(2);
+  const ChartConstants c = chartConstants(2, precision);
   const double mean = settings.sigma ? c.d2 * *settings.sigma : *chart.meanMovingRange;
   // The tables give D4 for three sigma; other widths come from d3.
   const double upper = settings.sigmas == 3 ? c.d4Limit * mean : mean * (1 + settings.sigmas * c.d3 / c.d2);
@@ -147,15 +133,16 @@ void individuals(ControlChart& chart, const Data& data, const ControlChartSettin
 }
 
 ChartPanel spreadPanel(const ControlChart& chart, const Data& data, const ControlChartSettings& settings,
-                       Constants& constants, bool byRange) {
+                       ConstantPrecision precision, bool byRange) {
   ChartPanel p;
   p.name = std::string(byRange ? "R" : "S");
   for (const Sample& s : data.samples) {
-    const ChartConstants& c = constants.of(s.n);
+    const ChartConstants c = chartConstants(static_cast<int>(s.n), precision);
     const double centre = chart.sigma * (byRange ? c.d2 : c.c4);
     const double sd = chart.sigma * (byRange ? c.d3 : std::sqrt(1 - c.c4 * c.c4));
     const bool tabulated = settings.sigmas == 3;
-    const double low = tabulated ? centre * (byRange ? c.d3Limit : c.b3Limit) : std::max(0.0, centre - settings.sigmas * sd);
+    const double low =
+        tabulated ? centre * (byRange ? c.d3Limit : c.b3Limit) : std::max(0.0, centre - settings.sigmas * sd);
     const double high = tabulated ? centre * (byRange ? c.d4Limit : c.b4Limit) : centre + settings.sigmas * sd;
     p.values.push_back(byRange ? s.range() : s.sd());
     p.lower.push_back(low);
@@ -169,9 +156,10 @@ ChartPanel spreadPanel(const ControlChart& chart, const Data& data, const Contro
   return p;
 }
 
-void xbar(ControlChart& chart, const Data& data, const ControlChartSettings& settings, Constants& constants, bool byRange) {
+void xbar(ControlChart& chart, const Data& data, const ControlChartSettings& settings, ConstantPrecision precision,
+          bool byRange) {
   chart.panels.push_back(locationPanel(chart, data, settings, "X-bar"));
-  const ChartConstants& c = constants.of(data.largest);
+  const ChartConstants c = chartConstants(static_cast<int>(data.largest), precision);
   // Of one size and as the tables have it: A2 mean R and A3 mean s, the rounding of the examples included.
   if (data.smallest == data.largest && !settings.sigma && settings.sigmas == 3) {
     ChartPanel& p = chart.panels.back();
@@ -184,7 +172,7 @@ void xbar(ControlChart& chart, const Data& data, const ControlChartSettings& set
     for (const double v : p.values) z.push_back(half > 0 ? 3 * (v - chart.centre) / half : 0.0);
     p.signals = ruleSignals(z, settings.rules, settings.sigmas);
   }
-  chart.panels.push_back(spreadPanel(chart, data, settings, constants, byRange));
+  chart.panels.push_back(spreadPanel(chart, data, settings, precision, byRange));
   if (byRange) {
     chart.notes.formulas = {"sigma = mean R / d2; X-bar: centre +- A2 mean R; R: D3 mean R, D4 mean R",
                             "subgroups of different size: limits of each from sigma and its n"};
@@ -234,8 +222,9 @@ void cusum(ControlChart& chart, const Data& data, const ControlChartSettings& se
     chart.panels.push_back(constantPanel(name, std::move(*values), 0, 0, h));
     beyondLimits(chart.panels.back());
   }
-  chart.notes.formulas = {"C+_i = max(0, C+_(i-1) + x_i - centre - k sigma); C-_i = max(0, C-_(i-1) + centre - k sigma - "
-                          "x_i); signal above h sigma"};
+  chart.notes.formulas = {
+      "C+_i = max(0, C+_(i-1) + x_i - centre - k sigma); C-_i = max(0, C-_(i-1) + centre - k sigma - "
+      "x_i); signal above h sigma"};
   chart.notes.constants = {{"k", settings.cusumK}, {"h", settings.cusumH}, {"k_sigma", k}, {"h_sigma", h}};
 }
 
@@ -261,19 +250,28 @@ Expected<ControlChart> controlChart(const std::vector<Subgroup>& subgroups, cons
   chart.n = data.n;
   chart.subgroups = subgroups.size();
   chart.autocorrelation = autocorrelation(data.means);
-  Constants constants(settings.constants);
-  estimateSigma(chart, data, constants, settings.kind != ChartKind::XbarS);
+  estimateSigma(chart, data, settings.constants, settings.kind != ChartKind::XbarS);
   if (settings.sigma) {
     chart.sigma = *settings.sigma;
     chart.sigmaDegrees = kInfinite;
   }
   chart.centre = settings.target.value_or(data.mean);
   switch (settings.kind) {
-    case ChartKind::IndividualsMovingRange: individuals(chart, data, settings, constants); break;
-    case ChartKind::XbarR: xbar(chart, data, settings, constants, true); break;
-    case ChartKind::XbarS: xbar(chart, data, settings, constants, false); break;
-    case ChartKind::Ewma: ewma(chart, data, settings); break;
-    case ChartKind::Cusum: cusum(chart, data, settings); break;
+    case ChartKind::IndividualsMovingRange:
+      individuals(chart, data, settings, settings.constants);
+      break;
+    case ChartKind::XbarR:
+      xbar(chart, data, settings, settings.constants, true);
+      break;
+    case ChartKind::XbarS:
+      xbar(chart, data, settings, settings.constants, false);
+      break;
+    case ChartKind::Ewma:
+      ewma(chart, data, settings);
+      break;
+    case ChartKind::Cusum:
+      cusum(chart, data, settings);
+      break;
   }
   chart.notes.constants.emplace_back("L", settings.sigmas);
   return chart;

@@ -36,19 +36,19 @@ struct Subgroup {
 
 /// One of the (usually two) curves.
 struct ChartPanel {
-  std::string name;          ///< "I", "MR", "X-bar", "R", "S", "EWMA", "C+", "C-"
-  std::size_t first = 0;     ///< subgroup of the first value: 1 for moving ranges
+  std::string name;                          ///< "I", "MR", "X-bar", "R", "S", "EWMA", "C+", "C-"
+  std::size_t first = 0;                     ///< subgroup of the first value: 1 for moving ranges
   std::vector<double> values, lower, upper;  ///< a limit per point: they differ where sizes do
   double centre = 0;
-  double lcl = 0, ucl = 0;  ///< of subgroups of the usual size; EWMA: asymptotic
+  double lcl = 0, ucl = 0;          ///< of subgroups of the usual size; EWMA: asymptotic
   std::vector<RuleSignal> signals;  ///< index from `first`
 };
 
 struct ControlChart {
   ChartKind kind = ChartKind::IndividualsMovingRange;
   RuleSet rules = RuleSet::WesternElectric;
-  double centre = 0;  ///< of single values
-  double sigma = 0;   ///< of single values, within subgroups
+  double centre = 0;        ///< of single values
+  double sigma = 0;         ///< of single values, within subgroups
   double sigmaDegrees = 0;  ///< effective degrees of freedom of sigma; infinite where it was given
   std::optional<double> meanMovingRange, meanRange, meanSd;
   std::size_t n = 0, subgroups = 0;

@@ -62,7 +62,7 @@ Expected<LinearityResult> linearityStudy(std::span<const double> reference, std:
     bias.push_back(value[i] - reference[i]);
     levels[reference[i]].push_back(bias.back());
   }
-  const auto line = fitLine(reference, bias);
+  const auto line = regress(reference, bias);
   if (!line) return tl::unexpected(line.error());
   LinearityResult result;
   result.line = *line;
@@ -86,11 +86,12 @@ Expected<LinearityResult> linearityStudy(std::span<const double> reference, std:
     result.linearity = std::abs(line->slope) * *settings.processVariation;
     result.percentBias = 100 * std::abs(result.bias.mean) / *settings.processVariation;
   }
-  result.notes.formulas = {"bias = value - reference = intercept + slope x reference, least squares",
-                           "band: line +- t(1 - alpha/2, n - 2) s sqrt(1/n + (x - mean x)^2 / S_xx); acceptable where it "
-                           "holds 0 at every reference",
-                           "linearity = |slope| x process variation; %linearity = 100 |slope|",
-                           "repeatability = s pooled within the references"};
+  result.notes.formulas = {
+      "bias = value - reference = intercept + slope x reference, least squares",
+      "band: line +- t(1 - alpha/2, n - 2) s sqrt(1/n + (x - mean x)^2 / S_xx); acceptable where it "
+      "holds 0 at every reference",
+      "linearity = |slope| x process variation; %linearity = 100 |slope|",
+      "repeatability = s pooled within the references"};
   result.notes.constants = {{"alpha", settings.alpha},
                             {"t", studentQuantile(1 - settings.alpha / 2, static_cast<double>(line->n) - 2)}};
   if (settings.processVariation) result.notes.constants.emplace_back("process_variation", *settings.processVariation);

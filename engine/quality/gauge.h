@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/expected.h"
-#include "engine/quality/line_fit.h"
+#include "engine/quality/regression.h"
 #include "engine/quality/sample.h"
 
 namespace vignole {
@@ -22,7 +22,7 @@ struct Type1Settings {
 struct Type1Result {
   Sample sample;
   double bias = 0;
-  Interval biasInterval;
+  ValueRange biasInterval;
   double t = 0, p = 0;  ///< bias against 0
   /// Cg = K/100 T / (sigmas s); Cgk = (K/200 T - |bias|) / (sigmas/2 s). Empty without a tolerance or where s is 0.
   std::optional<double> cg, cgk;
@@ -41,15 +41,15 @@ struct LinearityLevel {
   double reference = 0;
   Sample bias;
   double t = 0, p = 0;  ///< against 0, from this level alone
-  Interval band;        ///< of the line here
+  ValueRange band;      ///< of the line here
 };
 
 struct LinearityResult {
-  LineFit line;  ///< of bias = value - reference over reference
+  Regression line;  ///< of bias = value - reference over reference
   std::vector<LinearityLevel> levels;
-  Sample bias;  ///< over all values
-  double repeatability = 0;  ///< pooled s within the levels
-  double percentLinearity = 0;         ///< 100 |slope|
+  Sample bias;                                   ///< over all values
+  double repeatability = 0;                      ///< pooled s within the levels
+  double percentLinearity = 0;                   ///< 100 |slope|
   std::optional<double> linearity, percentBias;  ///< |slope| x process variation; 100 |mean bias| / it
   bool zeroInBand = false;  ///< the line of no bias lies within the band at every reference: acceptable
   StudyNotes notes;

@@ -27,10 +27,9 @@ std::string cellName(const GaugeCells& cells, std::size_t o, std::size_t p) {
 Expected<void> checkBalance(const GaugeCells& cells) {
   for (std::size_t o = 0; o < cells.operators.size(); ++o) {
     if (cells.parts[o].size() != cells.partsPerOperator())
-      return inputError("operator " + cells.operators[o], "has " + std::to_string(cells.parts[o].size()) + " parts, operator " +
-                                                              cells.operators.front() + " has " +
-                                                              std::to_string(cells.partsPerOperator()) +
-                                                              "; all need the same number");
+      return inputError("operator " + cells.operators[o],
+                        "has " + std::to_string(cells.parts[o].size()) + " parts, operator " + cells.operators.front() +
+                            " has " + std::to_string(cells.partsPerOperator()) + "; all need the same number");
     for (std::size_t p = 0; p < cells.parts[o].size(); ++p)
       if (cells.values[o][p].size() != cells.trials)
         return inputError(cellName(cells, o, p), "has " + std::to_string(cells.values[o][p].size()) + " trials, " +
@@ -38,7 +37,8 @@ Expected<void> checkBalance(const GaugeCells& cells) {
                                                      "; every cell needs the same number");
   }
   if (cells.trials < 2)
-    return inputError(cellName(cells, 0, 0), "has one trial; repeatability needs two or more of every part and operator");
+    return inputError(cellName(cells, 0, 0),
+                      "has one trial; repeatability needs two or more of every part and operator");
   if (cells.partsPerOperator() < 2) return inputError("", "a gauge study needs at least two parts");
   return {};
 }

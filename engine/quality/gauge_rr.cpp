@@ -123,7 +123,8 @@ GrrResult crossedAnova(const GaugeCells& cells, const GrrSettings& settings) {
   result.anova = {part, operators, interaction, within,
                   row("total", o * p * r - 1, ssPart + ssOperator + ssInteraction + ssWithin)};
   result.notes.formulas = {
-      "crossed random effects: s_repeatability^2 = MS_e; s_operator^2 = (MS_o - MS_po) / (p r); s_po^2 = (MS_po - MS_e) / r; "
+      "crossed random effects: s_repeatability^2 = MS_e; s_operator^2 = (MS_o - MS_po) / (p r); s_po^2 = (MS_po - "
+      "MS_e) / r; "
       "s_part^2 = (MS_p - MS_po) / (o r); negative components are 0",
       "interaction pooled with repeatability where p > alpha: MS_po and MS_e are then the pooled mean square"};
   result.notes.constants = {{"alpha", settings.alpha}};
@@ -156,8 +157,9 @@ GrrResult averageRange(const GaugeCells& cells, const GrrSettings&) {
   result.operatorAlone.sd = result.reproducibility.sd;
   result.part.sd = a.partRange * a.k3;
   result.ranges = a;
-  result.notes.formulas = {"EV = mean range x K1; AV = sqrt((X_diff K2)^2 - EV^2 / (p r)), 0 where negative; PV = R_p K3",
-                           "K1 = 1/d2(r); K2, K3 = 1/d2* for one group of operators, of parts"};
+  result.notes.formulas = {
+      "EV = mean range x K1; AV = sqrt((X_diff K2)^2 - EV^2 / (p r)), 0 where negative; PV = R_p K3",
+      "K1 = 1/d2(r); K2, K3 = 1/d2* for one group of operators, of parts"};
   result.notes.constants = {{"K1", a.k1}, {"K2", a.k2}, {"K3", a.k3}, {"D4", rounded(trialConstants.d4Limit, 3)}};
   return result;
 }
@@ -182,7 +184,8 @@ GrrResult nestedAnova(const GaugeCells& cells, const GrrSettings&) {
   result.part.sd = sdOf((part.ms - within.ms) / r);
   result.anova = {operators, part, within, row("total", o * p * r - 1, ssOperator + ssPart + ssWithin)};
   result.notes.formulas = {
-      "nested random effects: s_repeatability^2 = MS_e; s_part^2 = (MS_p(o) - MS_e) / r; s_operator^2 = (MS_o - MS_p(o)) / "
+      "nested random effects: s_repeatability^2 = MS_e; s_part^2 = (MS_p(o) - MS_e) / r; s_operator^2 = (MS_o - "
+      "MS_p(o)) / "
       "(p r); negative components are 0"};
   return result;
 }
@@ -193,7 +196,7 @@ Expected<GrrResult> grrStudy(const std::vector<GaugeReading>& readings, const Gr
   const bool nested = settings.method == GrrMethod::Nested;
   const auto cells = gaugeCells(readings, nested);
   if (!cells) return tl::unexpected(cells.error());
-  GrrResult result = nested                                      ? nestedAnova(*cells, settings)
+  GrrResult result = nested                                       ? nestedAnova(*cells, settings)
                      : settings.method == GrrMethod::AverageRange ? averageRange(*cells, settings)
                                                                   : crossedAnova(*cells, settings);
   result.parts = cells->partsPerOperator();

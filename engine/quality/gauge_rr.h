@@ -43,21 +43,21 @@ struct GrrComponent {
 
 /// What the average-and-range method goes by.
 struct AverageRange {
-  double meanRange = 0;     ///< over all cells
+  double meanRange = 0;       ///< over all cells
   double meanDifference = 0;  ///< X_diff: largest minus smallest mean of an operator
-  double partRange = 0;     ///< R_p: of the means of the parts
+  double partRange = 0;       ///< R_p: of the means of the parts
   double k1 = 0, k2 = 0, k3 = 0;
-  double rangeLimit = 0;      ///< D4 mean range
-  std::size_t beyond = 0;     ///< cells whose range exceeds it
+  double rangeLimit = 0;   ///< D4 mean range
+  std::size_t beyond = 0;  ///< cells whose range exceeds it
 };
 
 struct GrrResult {
   std::size_t parts = 0, operators = 0, trials = 0;  ///< nested: parts of each operator
   GrrComponent repeatability, reproducibility, grr, part, total;
-  GrrComponent operatorAlone, interaction;  ///< the two halves of reproducibility (ANOVA)
-  double ndcRaw = 0;  ///< 1.41 PV / GRR
-  std::optional<int> ndc;  ///< truncated, as the AIAG does; empty where GRR is 0
-  std::vector<AnovaRow> anova;                   ///< with the interaction
+  GrrComponent operatorAlone, interaction;        ///< the two halves of reproducibility (ANOVA)
+  double ndcRaw = 0;                              ///< 1.41 PV / GRR
+  std::optional<int> ndc;                         ///< truncated, as the AIAG does; empty where GRR is 0
+  std::vector<AnovaRow> anova;                    ///< with the interaction
   std::optional<double> pooledMs, pooledDegrees;  ///< repeatability after pooling; empty: not pooled
   std::optional<AverageRange> ranges;
   StudyNotes notes;

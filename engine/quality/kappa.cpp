@@ -17,7 +17,8 @@ std::vector<std::string> categoriesOf(const std::vector<std::string>& a, const s
   const auto note = [&](const std::string& category) {
     double value = std::numeric_limits<double>::infinity();
     const auto [end, error] = std::from_chars(category.data(), category.data() + category.size(), value);
-    if (error != std::errc() || end != category.data() + category.size()) value = std::numeric_limits<double>::infinity();
+    if (error != std::errc() || end != category.data() + category.size())
+      value = std::numeric_limits<double>::infinity();
     found[{value, category}] = 0;
   };
   for (const std::string& c : a) note(c);
@@ -36,8 +37,8 @@ double weight(std::size_t i, std::size_t j, std::size_t count, KappaWeights weig
 /// Shares of the cells and of the margins, with the weights and their means over the margins.
 struct Table {
   std::size_t size = 0;
-  std::vector<double> cell, w;          // [i * size + j]
-  std::vector<double> row, column;      // margins
+  std::vector<double> cell, w;              // [i * size + j]
+  std::vector<double> row, column;          // margins
   std::vector<double> rowMean, columnMean;  // of the weights
 };
 

@@ -130,7 +130,8 @@ class Parser {
   }
   void word() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_')) ++at_;
+    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_'))
+      ++at_;
     const std::string_view name = text_.substr(begin, at_ - begin);
     const auto symbol = std::find(symbols_.begin(), symbols_.end(), name);
     if (symbol != symbols_.end())
@@ -159,11 +160,16 @@ class Parser {
 
 double combined(Step::Kind kind, double a, double b) {
   switch (kind) {
-    case Step::Kind::Add: return a + b;
-    case Step::Kind::Subtract: return a - b;
-    case Step::Kind::Multiply: return a * b;
-    case Step::Kind::Divide: return a / b;
-    default: return std::pow(a, b);
+    case Step::Kind::Add:
+      return a + b;
+    case Step::Kind::Subtract:
+      return a - b;
+    case Step::Kind::Multiply:
+      return a * b;
+    case Step::Kind::Divide:
+      return a / b;
+    default:
+      return std::pow(a, b);
   }
 }
 
@@ -181,10 +187,18 @@ double ModelExpression::operator()(std::span<const double> values) const {
   std::vector<double> stack;
   for (const Step& step : steps_) {
     switch (step.kind) {
-      case Step::Kind::Number: stack.push_back(step.number); break;
-      case Step::Kind::Symbol: stack.push_back(values[step.index]); break;
-      case Step::Kind::Negate: stack.back() = -stack.back(); break;
-      case Step::Kind::Function: stack.back() = kFunctions.at(step.index).apply(stack.back()); break;
+      case Step::Kind::Number:
+        stack.push_back(step.number);
+        break;
+      case Step::Kind::Symbol:
+        stack.push_back(values[step.index]);
+        break;
+      case Step::Kind::Negate:
+        stack.back() = -stack.back();
+        break;
+      case Step::Kind::Function:
+        stack.back() = kFunctions.at(step.index).apply(stack.back());
+        break;
       default: {
         const double right = stack.back();
         stack.pop_back();

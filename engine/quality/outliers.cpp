@@ -55,9 +55,8 @@ std::optional<OutlierTest> grubbs(std::span<const double> values) {
   const Sample s = describe(values);
   if (s.n < 3 || !(s.sumOfSquares > 0)) return {};
   OutlierTest test;
-  const auto furthest = std::max_element(values.begin(), values.end(), [&](double a, double b) {
-    return std::abs(a - s.mean) < std::abs(b - s.mean);
-  });
+  const auto furthest = std::max_element(
+      values.begin(), values.end(), [&](double a, double b) { return std::abs(a - s.mean) < std::abs(b - s.mean); });
   test.where = {static_cast<std::size_t>(furthest - values.begin())};
   test.statistic = std::abs(*furthest - s.mean) / s.sd();
   test.critical5 = grubbsCritical(s.n, 0.05);

@@ -53,7 +53,8 @@ Expected<PrecisionResult> precisionStudy(const std::vector<PrecisionGroup>& grou
   result.n = whole.n;
   result.mean = whole.mean + shift;
   double between = 0;
-  for (const Sample& g : result.groups) between += static_cast<double>(g.n) * (g.mean - whole.mean) * (g.mean - whole.mean);
+  for (const Sample& g : result.groups)
+    between += static_cast<double>(g.n) * (g.mean - whole.mean) * (g.mean - whole.mean);
   const auto p = static_cast<double>(groups.size()), n = static_cast<double>(whole.n);
   result.msBetween = between / (p - 1);
   result.msWithin = within / withinDegrees;

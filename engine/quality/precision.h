@@ -20,14 +20,14 @@ struct PrecisionGroup {
 struct PrecisionResult {
   std::vector<Sample> groups;
   std::size_t n = 0;
-  double mean = 0;                  ///< over all values
-  double sr = 0, sL = 0, sR = 0;    ///< repeatability, between groups (0 if its variance is negative), reproducibility
-  Interval srInterval;
-  double r = 0, R = 0;              ///< limits, 2.8 s
+  double mean = 0;                ///< over all values
+  double sr = 0, sL = 0, sR = 0;  ///< repeatability, between groups (0 if its variance is negative), reproducibility
+  ValueRange srInterval;
+  double r = 0, R = 0;  ///< limits, 2.8 s
   double msBetween = 0, msWithin = 0, f = 0, p = 0;
-  std::optional<OutlierTest> cochranTest;             ///< needs groups of one size
+  std::optional<OutlierTest> cochranTest;                   ///< needs groups of one size
   std::optional<OutlierTest> grubbsTest, doubleGrubbsTest;  ///< on the means
-  std::optional<Mandel> consistency;                  ///< needs groups of one size
+  std::optional<Mandel> consistency;                        ///< needs groups of one size
   StudyNotes notes;
 };
 

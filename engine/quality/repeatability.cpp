@@ -25,8 +25,8 @@ Expected<std::vector<Profile>> sortedRun(const RepeatabilityRun& run) {
                    [](const Profile& a, const Profile& b) { return a.positionM < b.positionM; });
   for (std::size_t i = 1; i < profiles.size(); ++i)
     if (profiles[i].positionM == profiles[i - 1].positionM)
-      return inputError("run " + run.name,
-                        "position " + std::to_string(profiles[i].positionM) + " m stands there twice; name the runs apart");
+      return inputError("run " + run.name, "position " + std::to_string(profiles[i].positionM) +
+                                               " m stands there twice; name the runs apart");
   return profiles;
 }
 
@@ -64,7 +64,8 @@ Expected<void> align(const std::vector<RepeatabilityRun>& runs, RepeatabilityRes
   const double reachM = std::max(0.5 * medianSpacing(sorted.front()), 1e-6);
   std::vector<double> row(runs.size());
   for (const Profile& p : sorted.front()) {
-    for (std::size_t r = 0; r < runs.size(); ++r) row[r] = r == 0 ? p.valueMm : valueNear(sorted[r], p.positionM, reachM);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      row[r] = r == 0 ? p.valueMm : valueNear(sorted[r], p.positionM, reachM);
     if (std::any_of(row.begin(), row.end(), [](double v) { return !std::isfinite(v); })) {
       ++result.dropped;
       continue;
@@ -160,7 +161,8 @@ void addRuns(RepeatabilityResult& result, const std::vector<std::vector<double>>
 Expected<RepeatabilityResult> repeatabilityStudy(const std::vector<RepeatabilityRun>& runs,
                                                  const RepeatabilitySettings& settings) {
   if (runs.size() < 2)
-    return inputError("", "repeatability needs at least two runs of the same rail; there is " + std::to_string(runs.size()));
+    return inputError(
+        "", "repeatability needs at least two runs of the same rail; there is " + std::to_string(runs.size()));
   RepeatabilityResult result;
   if (auto aligned = align(runs, result); !aligned) return tl::unexpected(aligned.error());
   if (settings.windowM > 0) average(result, settings.windowM);

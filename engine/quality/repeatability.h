@@ -41,7 +41,7 @@ struct RepeatabilityResult {
   std::vector<RepeatabilitySection> sections;  ///< Table VI
   double meanMm = 0, meanRangeMm = 0, maxRangeMm = 0;
   double srMm = 0;  ///< pooled over the positions
-  Interval srIntervalMm;
+  ValueRange srIntervalMm;
   double degrees = 0;
   double srFromRangeMm = 0;  ///< mean range / d2
   double rMm = 0;            ///< repeatability limit, 2.8 s_r

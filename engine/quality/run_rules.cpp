@@ -56,35 +56,42 @@ bool mixture(Z z, std::size_t i, std::size_t m, double sigmas) {
 
 bool westernElectric(Z z, std::size_t i, int rule) {
   switch (rule) {
-    case 2: return manyBeyond(z, i, 2, 3, 2);
-    case 3: return manyBeyond(z, i, 4, 5, 1);
-    default: return sameSide(z, i, 8);
+    case 2:
+      return manyBeyond(z, i, 2, 3, 2);
+    case 3:
+      return manyBeyond(z, i, 4, 5, 1);
+    default:
+      return sameSide(z, i, 8);
   }
 }
 
 bool nelson(Z z, std::size_t i, int rule) {
   switch (rule) {
-    case 2: return sameSide(z, i, 9);
-    case 3: return trend(z, i, 6);
-    case 4: return alternating(z, i, 14);
-    case 5: return manyBeyond(z, i, 2, 3, 2);
-    case 6: return manyBeyond(z, i, 4, 5, 1);
-    case 7: return within(z, i, 15, 1);
-    default: return mixture(z, i, 8, 1);
+    case 2:
+      return sameSide(z, i, 9);
+    case 3:
+      return trend(z, i, 6);
+    case 4:
+      return alternating(z, i, 14);
+    case 5:
+      return manyBeyond(z, i, 2, 3, 2);
+    case 6:
+      return manyBeyond(z, i, 4, 5, 1);
+    case 7:
+      return within(z, i, 15, 1);
+    default:
+      return mixture(z, i, 8, 1);
   }
 }
 
 constexpr std::array<std::string_view, 4> kWesternElectric = {
     "one point beyond the control limits", "2 of 3 points beyond 2 sigma on one side",
     "4 of 5 points beyond 1 sigma on one side", "8 points in a row on one side"};
-constexpr std::array<std::string_view, 8> kNelson = {"one point beyond the control limits",
-                                                     "9 points in a row on one side",
-                                                     "6 points in a row rising or falling",
-                                                     "14 points in a row alternating",
-                                                     "2 of 3 points beyond 2 sigma on one side",
-                                                     "4 of 5 points beyond 1 sigma on one side",
-                                                     "15 points in a row within 1 sigma",
-                                                     "8 points in a row beyond 1 sigma, on both sides"};
+constexpr std::array<std::string_view, 8> kNelson = {
+    "one point beyond the control limits",      "9 points in a row on one side",
+    "6 points in a row rising or falling",      "14 points in a row alternating",
+    "2 of 3 points beyond 2 sigma on one side", "4 of 5 points beyond 1 sigma on one side",
+    "15 points in a row within 1 sigma",        "8 points in a row beyond 1 sigma, on both sides"};
 
 constexpr std::array<std::string_view, 3> kRuleSets = {"limits", "western-electric", "nelson"};
 

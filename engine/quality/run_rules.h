@@ -17,8 +17,8 @@ enum class RuleSet { Limits, WesternElectric, Nelson };
 [[nodiscard]] std::string_view describe(RuleSet rules, int rule);
 
 struct RuleSignal {
-  int rule = 0;          ///< from 1
-  std::size_t index = 0; ///< the point that completes the pattern
+  int rule = 0;           ///< from 1
+  std::size_t index = 0;  ///< the point that completes the pattern
 };
 
 /// z: deviations from the centre line in standard deviations of what is plotted. A pattern signals at the point that

@@ -47,13 +47,13 @@ double autocorrelation(std::span<const double> values) {
   return products / s.sumOfSquares;
 }
 
-Interval meanInterval(const Sample& sample, double alpha) {
+ValueRange meanInterval(const Sample& sample, double alpha) {
   const double half =
       studentQuantile(1 - alpha / 2, sample.degrees()) * sample.sd() / std::sqrt(static_cast<double>(sample.n));
   return {sample.mean - half, sample.mean + half};
 }
 
-Interval sdInterval(double sd, double degrees, double alpha) {
+ValueRange sdInterval(double sd, double degrees, double alpha) {
   return {sd * std::sqrt(degrees / chiSquareQuantile(1 - alpha / 2, degrees)),
           sd * std::sqrt(degrees / chiSquareQuantile(alpha / 2, degrees))};
 }

@@ -29,13 +29,13 @@ struct Sample {
 [[nodiscard]] double autocorrelation(std::span<const double> values);
 
 /// An interval at some confidence, or limits.
-struct Interval {
+struct ValueRange {
   double low = 0, high = 0;
 };
 /// Of the mean of normal values, Student's t; needs n >= 2.
-[[nodiscard]] Interval meanInterval(const Sample& sample, double alpha);
+[[nodiscard]] ValueRange meanInterval(const Sample& sample, double alpha);
 /// Of a standard deviation with `degrees` of freedom, chi squared.
-[[nodiscard]] Interval sdInterval(double sd, double degrees, double alpha);
+[[nodiscard]] ValueRange sdInterval(double sd, double degrees, double alpha);
 
 /// What stands beside every result: how it was computed and with which constants.
 struct StudyNotes {

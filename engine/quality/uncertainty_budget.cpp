@@ -49,15 +49,18 @@ class Draw {
   }
   double operator()(std::mt19937_64& random) {
     switch (input_.distribution) {
-      case InputDistribution::Rectangular: return input_.u * std::sqrt(3.0) * (2 * uniform_(random) - 1);
+      case InputDistribution::Rectangular:
+        return input_.u * std::sqrt(3.0) * (2 * uniform_(random) - 1);
       case InputDistribution::Triangular: {
         const double a = uniform_(random), b = uniform_(random);
         return input_.u * std::sqrt(6.0) * (a + b - 1);
       }
       case InputDistribution::ArcSine:
         return input_.u * std::sqrt(2.0) * std::sin(2 * std::numbers::pi * uniform_(random));
-      case InputDistribution::Normal: return input_.u * normal_(random);
-      case InputDistribution::Auto: break;
+      case InputDistribution::Normal:
+        return input_.u * normal_(random);
+      case InputDistribution::Auto:
+        break;
     }
     return input_.u * (std::isfinite(input_.degrees) ? student_(random) : normal_(random));
   }
@@ -81,7 +84,8 @@ double halfUnit(double u, int digits) {
   return u > 0 ? 0.5 * std::pow(10.0, std::floor(std::log10(u)) - (digits - 1)) : 0;
 }
 
-MonteCarlo simulate(const UncertaintyBudget& budget, const UncertaintySettings& settings, const UncertaintyResult& first) {
+MonteCarlo simulate(const UncertaintyBudget& budget, const UncertaintySettings& settings,
+                    const UncertaintyResult& first) {
   std::mt19937_64 random(settings.seed);
   std::vector<Draw> draws;
   std::vector<double> x;
@@ -149,7 +153,8 @@ Expected<UncertaintyResult> uncertaintyStudy(const UncertaintyBudget& budget, co
   std::vector<double> x;
   for (const BudgetInput& input : budget.inputs) {
     if (!(input.u >= 0)) return inputError(input.symbol, "its standard uncertainty must be 0 or more");
-    if (!(input.degrees > 0)) return inputError(input.symbol, "its degrees of freedom must be above 0; empty is infinite");
+    if (!(input.degrees > 0))
+      return inputError(input.symbol, "its degrees of freedom must be above 0; empty is infinite");
     x.push_back(input.estimate);
   }
   UncertaintyResult result;
@@ -171,11 +176,12 @@ Expected<UncertaintyResult> uncertaintyStudy(const UncertaintyBudget& budget, co
     addExpansion(result, budget, settings);
   }
   if (settings.trials > 1) result.monteCarlo = simulate(budget, settings, result);
-  result.notes.formulas = {"u_c^2 = sum (c_i u_i)^2, inputs uncorrelated, first order (JCGM 100)",
-                           "nu_eff = u_c^4 / sum (c_i u_i)^4 / nu_i (Welch-Satterthwaite), truncated before the t look-up",
-                           "U_p = t((1 + p)/2, nu_eff) u_c; U = k u_c",
-                           "Monte Carlo (JCGM 101): t for finite degrees of freedom, else as named; first order agrees where "
-                           "both ends of its 95 % interval lie within half the last significant digit of u"};
+  result.notes.formulas = {
+      "u_c^2 = sum (c_i u_i)^2, inputs uncorrelated, first order (JCGM 100)",
+      "nu_eff = u_c^4 / sum (c_i u_i)^4 / nu_i (Welch-Satterthwaite), truncated before the t look-up",
+      "U_p = t((1 + p)/2, nu_eff) u_c; U = k u_c",
+      "Monte Carlo (JCGM 101): t for finite degrees of freedom, else as named; first order agrees where "
+      "both ends of its 95 % interval lie within half the last significant digit of u"};
   result.notes.constants = {{"k", settings.k},
                             {"trials", static_cast<double>(settings.trials)},
                             {"seed", static_cast<double>(settings.seed)},

@@ -52,7 +52,7 @@ struct MonteCarlo {
   std::size_t trials = 0;
   double mean = 0;
   std::optional<double> u;  ///< empty where an input with at most two degrees of freedom has no variance
-  Interval interval95;      ///< probabilistically symmetric
+  ValueRange interval95;    ///< probabilistically symmetric
   double tolerance = 0;     ///< half a unit of the last significant digit of u
   bool agrees = false;      ///< both ends of the first-order 95 % interval lie within the tolerance
 };
@@ -61,11 +61,11 @@ struct UncertaintyResult {
   double value = 0;
   double uc = 0;
   std::vector<BudgetLine> lines;
-  double degrees = 0;                      ///< Welch-Satterthwaite; infinite where no input has finite ones
-  std::optional<long> truncatedDegrees;    ///< before the t look-up; empty: infinite
+  double degrees = 0;                         ///< Welch-Satterthwaite; infinite where no input has finite ones
+  std::optional<long> truncatedDegrees;       ///< before the t look-up; empty: infinite
   double k95 = 0, k99 = 0, u95 = 0, u99 = 0;  ///< t quantiles, expanded uncertainties
-  double expanded = 0;                     ///< k uc
-  bool refused = false;  ///< first order gives 0: it says nothing, see the Monte Carlo
+  double expanded = 0;                        ///< k uc
+  bool refused = false;                       ///< first order gives 0: it says nothing, see the Monte Carlo
   std::optional<MonteCarlo> monteCarlo;
   StudyNotes notes;
 };

@@ -8,7 +8,7 @@
 
 namespace vignole {
 
-struct LineFit {
+struct Regression {
   std::size_t n = 0;
   double slope = 0, intercept = 0;
   double sdSlope = 0, sdIntercept = 0;
@@ -19,10 +19,10 @@ struct LineFit {
 
   [[nodiscard]] double at(double x) const { return intercept + slope * x; }
   /// Of the line (not of a single value) at x.
-  [[nodiscard]] Interval band(double x, double alpha) const;
+  [[nodiscard]] ValueRange band(double x, double alpha) const;
 };
 
 /// At least three points at two different x.
-[[nodiscard]] Expected<LineFit> fitLine(std::span<const double> x, std::span<const double> y);
+[[nodiscard]] Expected<Regression> regress(std::span<const double> x, std::span<const double> y);
 
 }  // namespace vignole

@@ -1,4 +1,4 @@
-#include "engine/quality/line_fit.h"
+#include "engine/quality/regression.h"
 
 #include <cmath>
 #include <limits>
@@ -18,14 +18,14 @@ double ratio(double value, double sd) {
 
 }  // namespace
 
-Interval LineFit::band(double x, double alpha) const {
+ValueRange Regression::band(double x, double alpha) const {
   const double half = studentQuantile(1 - alpha / 2, static_cast<double>(n) - 2) * sdResidual *
                       std::sqrt(1 / static_cast<double>(n) + (x - xMean) * (x - xMean) / sxx);
   return {at(x) - half, at(x) + half};
 }
 
-Expected<LineFit> fitLine(std::span<const double> x, std::span<const double> y) {
-  LineFit fit;
+Expected<Regression> regress(std::span<const double> x, std::span<const double> y) {
+  Regression fit;
   fit.n = x.size();
   if (fit.n < 3 || y.size() != fit.n) return inputError("", "a line with its uncertainty needs at least three points");
   const Sample sx = describe(x), sy = describe(y);
