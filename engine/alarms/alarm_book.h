@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/alarms/alarm_signal.h"
@@ -28,7 +29,8 @@ enum class AlarmState {
 /// reports it and how often.
 struct AlarmKey {
   std::string rule, source;
-  auto operator<=>(const AlarmKey&) const = default;
+  bool operator==(const AlarmKey&) const = default;
+  bool operator<(const AlarmKey& other) const { return std::tie(rule, source) < std::tie(other.rule, other.source); }
 };
 
 struct Shelf {

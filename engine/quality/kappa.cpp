@@ -24,6 +24,7 @@ std::vector<std::string> categoriesOf(const std::vector<std::string>& a, const s
   for (const std::string& c : a) note(c);
   for (const std::string& c : b) note(c);
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (const auto& [key, unused] : found) names.push_back(key.second);
   return names;
 }

@@ -1,6 +1,7 @@
 #include "engine/files/csv_table.h"
 
 #include <gtest/gtest.h>
+#include <random>
 
 namespace vignole {
 namespace {
@@ -52,6 +53,19 @@ TEST(CsvTable, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(errorOf("x\n1e999\n", "x").find("t.csv:2"), std::string::npos);
   EXPECT_NE(errorOf("x\n", "x").find("no rows"), std::string::npos);
   EXPECT_FALSE(CsvTable::load("nowhere.csv"));
+}
+
+TEST(CsvTable, SurvivesAnything) {
+  std::mt19937 random(1);
+  constexpr std::string_view kBytes = "a1,;\t\n\r\" .-e\xEF\xBB\xBF";
+  for (int t = 0; t < 20000; ++t) {
+    std::string text;
+    for (std::size_t i = 0; i < random() % 60; ++i) text += kBytes[random() % kBytes.size()];
+    const auto table = CsvTable::parse(text, "t.csv");
+    if (!table) continue;
+    for (const std::string& column : table->columns()) static_cast<void>(table->numbers(column));
+    for (std::size_t row = 0; row < table->rows(); ++row) EXPECT_FALSE(table->where(row).empty());
+  }
 }
 
 }  // namespace
