@@ -150,7 +150,7 @@ ProfileRecord recordOf(const Profile& profile, const Registration& registration,
   record.worldFromSection = registration.worldFromSection;
   record.rmsMm = registration.rmsMm;
   record.inliers = registration.inliers;
-  record.points = static_cast<int>(profile.points.size());
+  record.points = profile.points.empty() ? registration.points : static_cast<int>(profile.points.size());
   record.dimensions = measurement.dimensions;
   for (DimensionResult& d : record.dimensions) d.anchors.clear();
   return record;
