@@ -8,9 +8,10 @@
 
 namespace vignole::cli {
 
-void addCalibrate(CLI::App& app, int&) {
+void addCalibrate(CLI::App& app, int& exitCode) {
   CLI::App* calibrate = app.add_subcommand("calibrate", "Cameras, range finders, encoder: calibrated and assessed");
   calibrate->require_subcommand(1);
+  addCalibrateExposure(*calibrate, exitCode);
 }
 
 }  // namespace vignole::cli

@@ -13,5 +13,6 @@ void addCalibrateRig(CLI::App& calibrate, int& exitCode);
 void addCalibrateEncoder(CLI::App& calibrate, int& exitCode);
 void addCalibrateAssess(CLI::App& calibrate, int& exitCode);
 void addCalibrateStudy(CLI::App& calibrate, int& exitCode);
+void addCalibrateExposure(CLI::App& calibrate, int& exitCode);
 
 }  // namespace vignole::cli

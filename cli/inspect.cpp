@@ -101,10 +101,12 @@ double severity(const Measurement& measurement) {
 /// Takes what the inspection tells, on its last stage's thread; read after the end.
 class Collector {
  public:
-  Collector(const Recipe& recipe, const RigCalibration& calibration, std::shared_ptr<const VirtualRig> rig,
-            std::optional<AtomicFile> csv, Progress& progress, double profilesExpected)
+  Collector(const Recipe& recipe, const RigCalibration& calibration, std::string calibrationWarning,
+            std::shared_ptr<const VirtualRig> rig, std::optional<AtomicFile> csv, Progress& progress,
+            double profilesExpected)
       : recipe_(recipe),
         calibration_(calibration),
+        calibrationWarning_(std::move(calibrationWarning)),
         rig_(std::move(rig)),
         csv_(std::move(csv)),
         progress_(progress),
@@ -166,6 +168,7 @@ class Collector {
 
   void end(const TriggerLedger& ledger) {
     rails.push_back({summariser_->summary(ledger), recipe_.section.name});
+    rails.back().summary.calibrationWarning = calibrationWarning_;
     examples.push_back(std::move(example_));
     example_.reset();
   }
@@ -180,6 +183,7 @@ class Collector {
 
   const Recipe& recipe_;
   const RigCalibration& calibration_;
+  std::string calibrationWarning_;
   std::shared_ptr<const VirtualRig> rig_;
   std::optional<AtomicFile> csv_;
   Progress& progress_;
@@ -293,6 +297,10 @@ int inspect(const Options& o) {
     if (const auto fits = checkFits(*loaded, calibration, o.calibration); !fits) return fail(fits.error());
     calibration = std::move(*loaded);
   }
+  const CalibrationAge age =
+      ageOf(calibration, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+  const std::string warning = warningOf(calibration, age);
+  if (!warning.empty()) fail({o.calibration, "the calibration is " + warning + "; calibrate again"});
   std::optional<AtomicFile> csv;
   if (!o.csv.empty()) {
     auto file = AtomicFile::create(o.csv);
@@ -304,7 +312,7 @@ int inspect(const Options& o) {
   const auto source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
   const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
-  Collector collected(*recipe, calibration, *rig, std::move(csv), *progress, expected);
+  Collector collected(*recipe, calibration, warning, *rig, std::move(csv), *progress, expected);
   {
     const auto start = Clock::now();
     Inspection inspection(*source, *recipe, calibration, collected.observer());
@@ -322,9 +330,8 @@ int inspect(const Options& o) {
   progress.reset();
   outcome.rails = collected.rails;
   outcome.profiles = collected.profiles;
-  outcome.calibrationId = calibration.id;
-  outcome.calibrationMethod = calibration.method;
-  outcome.calibrationCreated = calibration.created;
+  outcome.calibration = calibration;
+  outcome.calibrationAge = age;
   outcome.effects = list((*rig)->settings().effects);
   outcome.accuracy = &collected.accuracy;
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());

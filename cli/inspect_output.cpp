@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ Json toJson(const DimensionSummary& d) {
                {"s_mm", ifMeasured(d.values.sd())},
                {"u_mm", ifMeasured(d.uMm)},
                {"u_mean_mm", ifMeasured(d.uOfMeanMm())},
+               {"u_calibration_mm", ifMeasured(d.uCalibrationMm)},
                {"lower_mm", numberOrNull(d.lowerMm)},
                {"upper_mm", numberOrNull(d.upperMm)},
                {"verdict", name(d.verdict)},
@@ -96,6 +98,16 @@ Json toJson(const Accuracy& accuracy) {
   return {{"dimensions", dimensions}};
 }
 
+Json toJson(const RigCalibration& c, const CalibrationAge& age) {
+  return {{"id", c.id},
+          {"method", c.method},
+          {"created", c.created},
+          {"age_days", age.days ? Json(std::round(100 * *age.days) / 100) : Json(nullptr)},
+          {"interval_days", c.intervalDays > 0 ? Json(c.intervalDays) : Json(nullptr)},
+          {"overdue", age.overdue},
+          {"plate", c.plate.empty() ? Json(nullptr) : Json(c.plate)}};
+}
+
 double rateOf(const InspectionOutcome& outcome) {
   return outcome.wallS > 0 ? static_cast<double>(outcome.profiles) / outcome.wallS : 0;
 }
@@ -117,18 +129,18 @@ std::string tableOf(const InspectedRail& rail) {
   std::string text = format("Rail %s  %s  %s  %.3f m  %llu profiles  verdict: %s\n", s.rail.id.c_str(),
                             rail.section.c_str(), s.recipe.c_str(), s.lengthM,
                             static_cast<unsigned long long>(s.profiles), std::string(name(s.verdict)).c_str());
-  text += format("%-6s %9s %9s %9s %9s %8s %8s %8s %9s %9s  %-12s %s\n", "mm", "nominal", "mean", "min", "max", "s",
-                 "u", "u(mean)", "lower", "upper", "verdict", "exceptions");
+  text += format("%-6s %9s %9s %9s %9s %8s %8s %8s %8s %9s %9s  %-12s %s\n", "mm", "nominal", "mean", "min", "max", "s",
+                 "u", "u(cal)", "u(mean)", "lower", "upper", "verdict", "exceptions");
   for (const DimensionSummary& d : s.dimensions) {
     const std::string word(name(d.verdict)), label(name(d.dimension));
     if (d.values.count() == 0) {
-      text += format("%-6s %9.3f %9s %9s %9s %8s %8s %8s %9s %9s  %-12s %s\n", label.c_str(), d.nominalMm, "-", "-",
-                     "-", "-", "-", "-", fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), "not measured",
-                     d.reason.c_str());
+      text += format("%-6s %9.3f %9s %9s %9s %8s %8s %8s %8s %9s %9s  %-12s %s\n", label.c_str(), d.nominalMm, "-", "-",
+                     "-", "-", "-", "-", "-", fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(),
+                     "not measured", d.reason.c_str());
       continue;
     }
-    text += format("%-6s %9.3f %9.3f %9.3f %9.3f %8.4f %8.4f %8.4f %9s %9s  %-12s", label.c_str(), d.nominalMm,
-                   d.meanMm(), d.values.min(), d.values.max(), d.values.sd(), d.uMm, d.uOfMeanMm(),
+    text += format("%-6s %9.3f %9.3f %9.3f %9.3f %8.4f %8.4f %8.4f %8.4f %9s %9s  %-12s", label.c_str(), d.nominalMm,
+                   d.meanMm(), d.values.min(), d.values.max(), d.values.sd(), d.uMm, d.uCalibrationMm, d.uOfMeanMm(),
                    fixedOrDash(d.lowerMm).c_str(), fixedOrDash(d.upperMm).c_str(), word.c_str());
     if (!d.exceptions.empty()) {
       const DimensionException& first = d.exceptions.front();
@@ -179,8 +191,7 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   for (const StageStatistics& stage : outcome.stages) json["stages"].push_back(toJson(stage));
   json["profiles_per_s"] = rateOf(outcome);
   json["wall_s"] = outcome.wallS;
-  json["calibration"] = {
-      {"id", outcome.calibrationId}, {"method", outcome.calibrationMethod}, {"created", outcome.calibrationCreated}};
+  json["calibration"] = toJson(outcome.calibration, outcome.calibrationAge);
   json["effects"] = Json::object();
   for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
   if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
@@ -217,7 +228,7 @@ std::string toTable(const InspectionOutcome& outcome) {
   for (const auto& [reason, count] : t.reasons)
     text += format("  %8llu  %s\n", static_cast<unsigned long long>(count), reason.c_str());
   text += format("%.1f profiles/s, %.2f s, calibration %s (%s)\n", rateOf(outcome), outcome.wallS,
-                 outcome.calibrationId.c_str(), outcome.calibrationMethod.c_str());
+                 outcome.calibration.id.c_str(), outcome.calibration.method.c_str());
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/accuracy.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
+#include "engine/optics/calibration_age.h"
 
 namespace vignole::cli {
 
@@ -24,7 +25,8 @@ struct InspectionOutcome {
   std::vector<StageStatistics> stages;
   std::uint64_t profiles = 0;
   double wallS = 0;
-  std::string calibrationId, calibrationMethod, calibrationCreated;
+  RigCalibration calibration;
+  CalibrationAge calibrationAge;
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
 };

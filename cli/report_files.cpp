@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <array>
 
+#include "report/document_pages.h"
 #include "report/rail_report.h"
 #endif
 
@@ -18,6 +19,11 @@ Expected<void> checkReportFile(const std::filesystem::path& file) {
 #else
   return inputError("--report", "this program was built without reports; build it with VIGNOLE_GUI=ON");
 #endif
+}
+
+Expected<void> checkDocumentFile(const std::filesystem::path& file) {
+  if (file.extension() != ".pdf") return inputError(file.string(), "this report is .pdf; name the file accordingly");
+  return checkReportFile(file);
 }
 
 #ifdef VIGNOLE_REPORT
@@ -51,12 +57,19 @@ Expected<void> writeReport(const RailSummary& summary, const Recipe& recipe,
   return writeRailReport(report, file);
 }
 
+Expected<void> writeDocumentReport(const Document& document, const std::filesystem::path& file) {
+  ensureApplication();
+  return writeDocument(document, VIGNOLE_VERSION, file);
+}
+
 #else
 
 Expected<void> writeReport(const RailSummary&, const Recipe&, const std::optional<ProfileResult>&, bool,
                            const std::filesystem::path& file) {
   return checkReportFile(file);
 }
+
+Expected<void> writeDocumentReport(const Document&, const std::filesystem::path& file) { return checkReportFile(file); }
 
 #endif
 

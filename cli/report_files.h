@@ -1,10 +1,12 @@
 #pragma once
-// Reports of inspected rails: PDF or PNG by the extension. Built without Qt, asking for one is an error that says so.
+// Reports: of inspected rails as PDF or PNG by the extension, of everything else as PDF. Built without Qt, asking for
+// one is an error that says so.
 
 #include <filesystem>
 #include <optional>
 
 #include "engine/inspection/rail_summary.h"
+#include "report/document.h"
 
 namespace vignole::cli {
 
@@ -15,5 +17,9 @@ namespace vignole::cli {
 [[nodiscard]] Expected<void> writeReport(const RailSummary& summary, const Recipe& recipe,
                                          const std::optional<ProfileResult>& example, bool simulation,
                                          const std::filesystem::path& file);
+
+/// The same for a report that its results composed: .pdf.
+[[nodiscard]] Expected<void> checkDocumentFile(const std::filesystem::path& file);
+[[nodiscard]] Expected<void> writeDocumentReport(const Document& document, const std::filesystem::path& file);
 
 }  // namespace vignole::cli

@@ -54,8 +54,11 @@ class RailPages {
     PageFrame frame;
     frame.title = QStringLiteral("Rail profile report");
     frame.subject = rail;
-    frame.foot = QStringLiteral("%1   recipe %2   calibration %3")
-                     .arg(program, QString::fromStdString(s.recipe), QString::fromStdString(s.calibrationId));
+    frame.foot =
+        QStringLiteral("%1   recipe %2   calibration %3")
+            .arg(program, QString::fromStdString(s.recipe),
+                 QString::fromStdString(s.calibrationWarning.empty() ? s.calibrationId
+                                                                     : s.calibrationId + ", " + s.calibrationWarning));
     frame.simulation = report_.simulation;
     frame.markOnFirstPage = false;  // the verdict there carries it
     std::vector<std::function<void(QPainter&, const QRectF&)>> pages;

@@ -230,6 +230,11 @@ QString timeText(std::chrono::system_clock::time_point time, bool utc) {
   return moment.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
+/// Its id, and what is wrong with its age.
+std::string calibrationOf(const RailSummary& s) {
+  return s.calibrationWarning.empty() ? s.calibrationId : s.calibrationId + " (overdue)";
+}
+
 }  // namespace
 
 double drawRuns(QPainter& painter, const QPointF& baseLine, const TextRuns& runs, double widthPx) {
@@ -264,7 +269,7 @@ std::vector<Fact> factsOf(const RailReport& report) {
           {QStringLiteral("Rail temperature"),
            QStringLiteral("%1 \u00b1 %2 \u00b0C")
                .arg(numberText(s.rail.temperatureC, 1), numberText(s.rail.temperatureUncertaintyC, 1))},
-          {QStringLiteral("Calibration"), text(s.calibrationId)},
+          {QStringLiteral("Calibration"), text(calibrationOf(s))},
           {when + QStringLiteral(" (UTC)"), timeText(time, true)},
           {when + QStringLiteral(" (local)"), timeText(time, false)},
           {QStringLiteral("Program"), QStringLiteral("Vignole ") + QString::fromStdString(report.programVersion)},

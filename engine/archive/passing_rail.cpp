@@ -1,11 +1,13 @@
 #include "engine/archive/passing_rail.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "engine/archive/audit_rows.h"
 #include "engine/archive/digest.h"
 #include "engine/archive/kept_texts.h"
 #include "engine/archive/rail_rows.h"
+#include "engine/optics/calibration_age.h"
 
 namespace vignole {
 
@@ -20,6 +22,8 @@ PassingRail::PassingRail(const RailBegin& rail, const RailPapers& papers, std::s
   rail_.place = place;
   rail_.papers = papers;
   rail_.beganUs = rail_.endedUs = now;
+  const auto began = std::chrono::floor<std::chrono::seconds>(std::chrono::sys_time(std::chrono::microseconds(now)));
+  calibrationWarning_ = warningOf(setup_->calibration, ageOf(setup_->calibration, began));
 }
 
 bool PassingRail::keptAnyway(std::uint64_t profile) const {
@@ -82,6 +86,7 @@ void PassingRail::store(Database& database, TimeUs now) {
   const std::string section = setup_->recipe.section.name;
   next.summary = summariser_.summary(ledger_);
   next.summary.rail.sectionName = section;
+  next.summary.calibrationWarning = calibrationWarning_;
   if (!ended_) {
     next.endedUs = now;
     next.summary.triggers.seen = next.summary.profiles;  // what is known of them so far

@@ -39,6 +39,7 @@ class PassingRail {
 
   StoredRail rail_;
   std::shared_ptr<const MeasuringSetup> setup_;
+  std::string calibrationWarning_;
   PointsPolicy policy_;
   std::size_t pointsMemoryBytes_;
   RailSummariser summariser_;

@@ -25,13 +25,14 @@ Enum enumOf(std::int64_t number, Enum last) {
 
 constexpr const char* kRailColumns =
     "uid, line, name, heat, strand, order_number, shift, operator_name, section, recipe, recipe_name, calibration, "
-    "calibration_name, source, program, machine, began_us, ended_us, first_trigger, spacing_mm, announced_mm, "
+    "calibration_name, calibration_warning, source, program, machine, began_us, ended_us, first_trigger, spacing_mm, "
+    "announced_mm, "
     "speed_mm_per_s, temperature_c, temperature_u_c, length_m, profiles, verdict, state, other_section, "
     "other_profiles, other_chi2, other_chi2_here, seen, measured, incomplete, lost, not_stored, audit_number, "
     "audit_digest";
 constexpr const char* kRailKinds =
     "ttttttttt"
-    "ititttt"
+    "itittttt"
     "iii"
     "rrrrrr"
     "iii"
@@ -60,10 +61,11 @@ void replaceDimensions(Database& database, const StoredRail& rail) {
     const bool round = !d.radius.empty();
     database.run(
         "insert into rail_dimension (rail, dimension, nominal_mm, lower_mm, upper_mm, measured, not_measured, mean_mm, "
-        "s_mm, min_mm, max_mm, u_mm, radius_mm, radius_u_mm, excess_mm, verdict, reason) values (:a, :b, :c, :d, :e, "
-        ":f, :g, :h, :i, :j, :k, :l, :m, :n, :o, :p, :q)",
+        "s_mm, min_mm, max_mm, u_mm, u_calibration_mm, radius_mm, radius_u_mm, excess_mm, verdict, reason) values (:a, "
+        ":b, :c, :d, :e, "
+        ":f, :g, :h, :i, :j, :k, :l, :m, :n, :o, :p, :q, :r)",
         {rail.key, whole(i, 0), d.nominalMm, orNull(d.lowerMm), orNull(d.upperMm), whole(d.values.count()),
-         whole(d.notMeasured), d.values.mean(), d.values.sd(), d.values.min(), d.values.max(), d.uMm,
+         whole(d.notMeasured), d.values.mean(), d.values.sd(), d.values.min(), d.values.max(), d.uMm, d.uCalibrationMm,
          round ? SqlValue(d.radius.radiusMm()) : SqlValue(), round ? SqlValue(d.radius.uMm()) : SqlValue(),
          orNull(rail.excessMm[i]), number(d.verdict), d.reason});
   }
@@ -106,6 +108,7 @@ StoredRail railFrom(const Row& row, std::int64_t key) {
   s.recipe = text();
   rail.calibration = integer();
   s.calibrationId = text();
+  s.calibrationWarning = text();
   rail.place.source = text();
   rail.place.program = text();
   rail.place.machine = text();
@@ -137,8 +140,9 @@ void loadDimensions(Database& database, StoredRail& rail) {
   for (const Dimension d : kDimensions) rail.summary.dimensions[index(d)].dimension = d;
   database.query(
       "select dimension, nominal_mm, lower_mm, upper_mm, measured, not_measured, mean_mm, s_mm, min_mm, max_mm, u_mm, "
+      "u_calibration_mm, "
       "radius_mm, radius_u_mm, excess_mm, verdict, reason from rail_dimension where rail = :a order by dimension",
-      {rail.key}, "irrriirrrrrrrrit", [&](const Row& row) {
+      {rail.key}, "irrriirrrrrrrrrit", [&](const Row& row) {
         const std::uint64_t place = counted(row.integer(0));
         if (place >= kDimensionCount) return;
         DimensionSummary& d = rail.summary.dimensions[place];
@@ -148,10 +152,11 @@ void loadDimensions(Database& database, StoredRail& rail) {
         d.values = {counted(row.integer(4)), row.real(6), row.real(7), row.real(8), row.real(9)};
         d.notMeasured = counted(row.integer(5));
         d.uMm = row.real(10);
-        if (!row.null(11)) d.radius = {row.real(11), row.real(12)};
-        rail.excessMm[place] = row.realOrNone(13);
-        d.verdict = enumOf(row.integer(14), Verdict::NoLimit);
-        d.reason = row.text(15);
+        d.uCalibrationMm = row.real(11);
+        if (!row.null(12)) d.radius = {row.real(12), row.real(13)};
+        rail.excessMm[place] = row.realOrNone(14);
+        d.verdict = enumOf(row.integer(15), Verdict::NoLimit);
+        d.reason = row.text(16);
       });
   database.query(
       "select dimension, from_m, to_m, worst_mm from rail_exception where rail = :a order by dimension, place",
@@ -196,7 +201,7 @@ std::int64_t insertRail(Database& database, const StoredRail& rail) {
   return database.insert(
       std::string("insert into rail (") + kRailColumns +
           ") values (:a1, :a2, :a3, :a4, :a5, :a6, :a7, :a8, :a9, :b1, :b2, :b3, :b4, :b5, :b6, :b7, :b8, :b9, :c1, "
-          ":c2, :c3, :c4, :c5, :c6, :c7, :c8, :c9, :d1, :d2, :d3, :d4, :d5, :d6, :d7, :d8, :d9, :e1, :e2, :e3)",
+          ":c2, :c3, :c4, :c5, :c6, :c7, :c8, :c9, :d1, :d2, :d3, :d4, :d5, :d6, :d7, :d8, :d9, :e1, :e2, :e3, :e4)",
       {rail.uid,
        rail.place.line,
        b.id,
@@ -210,6 +215,7 @@ std::int64_t insertRail(Database& database, const StoredRail& rail) {
        s.recipe,
        rail.calibration == 0 ? SqlValue() : SqlValue(rail.calibration),
        s.calibrationId,
+       s.calibrationWarning,
        rail.place.source,
        rail.place.program,
        rail.place.machine,
@@ -322,8 +328,9 @@ std::string railDigest(Database& database, std::int64_t key) {
       {"rail", kRail.c_str(), kRailKinds},
       {"dimensions",
        "select dimension, nominal_mm, lower_mm, upper_mm, measured, not_measured, mean_mm, s_mm, min_mm, max_mm, u_mm, "
+       "u_calibration_mm, "
        "radius_mm, radius_u_mm, excess_mm, verdict, reason from rail_dimension where rail = :a order by dimension",
-       "irrriirrrrrrrrit"},
+       "irrriirrrrrrrrrit"},
       {"exceptions",
        "select dimension, place, from_m, to_m, worst_mm from rail_exception where rail = :a order by dimension, place",
        "iirrr"},

@@ -26,6 +26,7 @@ const std::vector<Migration> kMigrations = {
       "heat text not null, strand text not null, order_number text not null, shift text not null, "
       "operator_name text not null, section text not null, recipe bigint not null references recipe (id), "
       "recipe_name text not null, calibration bigint references calibration (id), calibration_name text not null, "
+      "calibration_warning text not null, "
       "source text not null, program text not null, machine text not null, began_us bigint not null, "
       "ended_us bigint not null, first_trigger bigint not null, spacing_mm {real} not null, "
       "announced_mm {real} not null, speed_mm_per_s {real} not null, temperature_c {real} not null, "
@@ -43,7 +44,8 @@ const std::vector<Migration> kMigrations = {
       "create table rail_dimension (rail bigint not null references rail (id) on delete cascade, "
       "dimension integer not null, nominal_mm {real} not null, lower_mm {real}, upper_mm {real}, "
       "measured bigint not null, not_measured bigint not null, mean_mm {real} not null, s_mm {real} not null, "
-      "min_mm {real} not null, max_mm {real} not null, u_mm {real} not null, radius_mm {real}, radius_u_mm {real}, "
+      "min_mm {real} not null, max_mm {real} not null, u_mm {real} not null, u_calibration_mm {real} not null, "
+      "radius_mm {real}, radius_u_mm {real}, "
       "excess_mm {real}, verdict integer not null, reason text not null, primary key (rail, dimension)) {packed}",
       "create index dimension_excess on rail_dimension (dimension, excess_mm)",
       "create index dimension_verdict on rail_dimension (dimension, verdict)",

@@ -249,6 +249,27 @@ std::vector<double> TomlReader::numbers(std::string_view key, std::size_t count)
   return values;
 }
 
+std::vector<std::string> TomlReader::texts(std::string_view key) {
+  const std::string wanted = "a list of texts in quotes";
+  const toml::node* node = impl_->value(key, false, wanted);
+  if (node == nullptr) return {};
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    impl_->wrongKind(key, *node, wanted);
+    return {};
+  }
+  std::vector<std::string> values;
+  for (const toml::node& element : *array) {
+    auto text = element.value_exact<std::string>();
+    if (!text) {
+      impl_->refuse(key, "has an element " + std::to_string(values.size() + 1) + " that is no text; give " + wanted);
+      return {};
+    }
+    values.push_back(std::move(*text));
+  }
+  return values;
+}
+
 std::vector<std::string> TomlReader::keys(std::string_view table) {
   std::vector<std::string> found;
   const toml::node* node = impl_->ask(table);
@@ -271,6 +292,14 @@ std::size_t TomlReader::size(std::string_view array) {
     return 0;
   }
   return asArray->size();
+}
+
+std::size_t TomlReader::listSize(std::string_view list) {
+  const std::string wanted = "a list in brackets";
+  const toml::node* node = impl_->value(list, false, wanted);
+  if (node == nullptr) return 0;
+  if (!node->is_array()) impl_->wrongKind(list, *node, wanted);
+  return node->is_array() ? node->as_array()->size() : 0;
 }
 
 void TomlReader::refuse(std::string_view key, std::string what) { impl_->refuse(key, std::move(what)); }

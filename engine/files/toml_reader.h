@@ -29,9 +29,12 @@ class TomlReader {
   [[nodiscard]] bool boolean(std::string_view key, std::optional<bool> fallback = {});
   [[nodiscard]] std::string text(std::string_view key, std::optional<std::string> fallback = {});
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count);
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key);
   /// Keys of a table (marks the table itself as known), or the number of tables in an array of tables.
   [[nodiscard]] std::vector<std::string> keys(std::string_view table);
   [[nodiscard]] std::size_t size(std::string_view array);
+  /// Number of elements of a list of plain values, which are asked for one by one ("factor.0.levels.2").
+  [[nodiscard]] std::size_t listSize(std::string_view list);
   /// Adds an error of the caller's at the line of `key`; the first error wins.
   void refuse(std::string_view key, std::string what);
   [[nodiscard]] Expected<void> finish();

@@ -10,6 +10,7 @@
 #include "engine/rail/catalogue.h"
 #include "engine/registration/rail_matcher.h"
 #include "engine/stripe/stripe_extractor.h"
+#include "engine/systematic/calibration_error.h"
 
 namespace vignole {
 
@@ -24,6 +25,11 @@ MeasuringField fieldAround(const Section& section) {
   return {{-reach - kMarginMm, -kMarginMm}, {reach + kMarginMm, section.heightMm() + kMarginMm}};
 }
 
+/// Through such a calibration that the rail cannot be found nothing is measured, so its uncertainty does not matter.
+PerDimension<double> uncertaintyBy(const RigCalibration& calibration, const Recipe& recipe) {
+  return calibrationUncertainty(recipe.section, recipe.parameters, calibration).value_or(PerDimension<double>{});
+}
+
 }  // namespace
 
 struct Inspection::Impl {
@@ -33,7 +39,8 @@ struct Inspection::Impl {
         calibration(std::move(rig)),
         registrar(recipe.section, recipe.registration),
         matcher(recipe.section, catalogueSections(), recipe.registration),
-        measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement) {
+        measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement,
+                 uncertaintyBy(calibration, recipe)) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
       extractors.emplace_back(recipe.stripe, stripeOptics(calibration.rangeFinders[c], fieldAround(recipe.section)));
       translators.emplace_back(static_cast<int>(c), calibration.rangeFinders[c]);

@@ -25,6 +25,11 @@ Excess excessOf(Dimension dimension, const DimensionResult& result) {
   return excess;
 }
 
+/// What is left of an uncertainty without the calibration's part.
+double withoutCalibration(double uMm, double calibrationMm) {
+  return calibrationMm > 0 ? std::sqrt(std::max(0.0, uMm * uMm - calibrationMm * calibrationMm)) : uMm;
+}
+
 void merge(TrackBin& into, const TrackBin& from) {
   if (from.count == 0) return;
   if (into.count == 0) {
@@ -74,8 +79,10 @@ void RadiusMean::add(double radiusMm, double uMm) {
 }
 
 double DimensionSummary::uOfMeanMm() const {
-  if (!radius.empty()) return radius.uMm();
-  return values.count() == 0 ? 0 : uMm / std::sqrt(static_cast<double>(values.count()));
+  if (values.count() == 0) return 0;
+  const double profiles = withoutCalibration(uMm, uCalibrationMm);
+  const double ofMean = radius.empty() ? profiles / std::sqrt(static_cast<double>(values.count())) : radius.uMm();
+  return uCalibrationMm > 0 ? std::sqrt(ofMean * ofMean + uCalibrationMm * uCalibrationMm) : ofMean;
 }
 
 RailSummariser::RailSummariser(const RailBegin& rail, const Recipe& recipe, const std::string& calibrationId,
@@ -213,7 +220,9 @@ void RailSummariser::add(const ProfileResult& result) {
       continue;
     }
     dimension.values.add(*measured.valueMm);
-    if (dimension.dimension == Dimension::HR) dimension.radius.add(*measured.valueMm, measured.uMm);
+    if (dimension.dimension == Dimension::HR)
+      dimension.radius.add(*measured.valueMm, withoutCalibration(measured.uMm, measured.uCalibrationMm));
+    dimension.uCalibrationMm = measured.uCalibrationMm;
     dimension.uMm += (measured.uMm - dimension.uMm) / static_cast<double>(dimension.values.count());
     addToTrack(dimension, positionM, *measured.valueMm);
     addToRuns(d, positionM, measured);

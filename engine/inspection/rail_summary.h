@@ -29,8 +29,8 @@ struct TrackBin {
 };
 
 /// Radii averaged as curvatures with weights 1 / u^2: a radius from one profile is a skewed estimate of little weight
-/// where the curve is short, its curvature is not skewed. u: of the mean, from the uncertainties of the profiles alone;
-/// what they have in common (the calibration) does not average out.
+/// where the curve is short, its curvature is not skewed. u: of the mean, from the uncertainties of the profiles alone,
+/// without what they have in common (the calibration).
 class RadiusMean {
  public:
   RadiusMean() = default;
@@ -50,9 +50,10 @@ struct DimensionSummary {
   Dimension dimension = Dimension::RH;
   double nominalMm = 0;
   std::optional<double> lowerMm, upperMm;
-  RunningStatistics values;  ///< over the profiles where it was measured
-  RadiusMean radius;         ///< HR: the same
-  double uMm = 0;            ///< mean standard uncertainty of a single profile
+  RunningStatistics values;   ///< over the profiles where it was measured
+  RadiusMean radius;          ///< HR: the same
+  double uMm = 0;             ///< mean standard uncertainty of a single profile, of everything
+  double uCalibrationMm = 0;  ///< the part of it that all profiles have in common
   std::uint64_t notMeasured = 0;
   std::string reason;  ///< the most recent reason for not measured
   Verdict verdict = Verdict::NotMeasured;
@@ -61,7 +62,7 @@ struct DimensionSummary {
 
   /// Over the rail: of HR the radius of the mean curvature. 0 where it was not measured.
   [[nodiscard]] double meanMm() const { return radius.empty() ? values.mean() : radius.radiusMm(); }
-  /// Standard uncertainty of that mean as far as it comes from noise that is new in every profile.
+  /// Standard uncertainty of that mean: what is new in every profile averages out, the calibration's part stays.
   [[nodiscard]] double uOfMeanMm() const;
 };
 
@@ -81,6 +82,7 @@ struct RailSummary {
   RailBegin rail;
   std::string recipe;  ///< name and version
   std::string calibrationId;
+  std::string calibrationWarning;  ///< "overdue by 12 days"; set by who knows the calibration
   double lengthM = 0;
   std::uint64_t profiles = 0;
   Verdict verdict = Verdict::NotMeasured;

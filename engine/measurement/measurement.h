@@ -32,7 +32,8 @@ struct MeasurementSettings {
 struct DimensionResult {
   std::optional<double> valueMm;  ///< at 15 degrees C
   double nominalMm = 0;
-  double uMm = 0;  ///< standard uncertainty
+  double uMm = 0;             ///< standard uncertainty, of everything
+  double uCalibrationMm = 0;  ///< the part of it that the calibration leaves in every profile alike
   int points = 0;
   std::string reason;  ///< "not measured, because ..." (the part after because)
   Verdict verdict = Verdict::NotMeasured;
@@ -75,9 +76,10 @@ struct RailTemperature {
 /// One per thread.
 class Measurer {
  public:
-  /// Section and parameters that passed nominalDimensions.
+  /// Section and parameters that passed nominalDimensions. `calibrationUMm`: standard uncertainty that the calibration
+  /// leaves in each dimension (calibration_error.h); it joins that of the profile.
   Measurer(const Section& section, const DimensionParameters& parameters, const PerDimension<ToleranceLimits>& limits,
-           const MeasurementSettings& settings);
+           const MeasurementSettings& settings, const PerDimension<double>& calibrationUMm = {});
   ~Measurer();
   Measurer(Measurer&&) noexcept;
   Measurer& operator=(Measurer&&) noexcept;

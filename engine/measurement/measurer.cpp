@@ -26,8 +26,8 @@ std::string missingCameras(const Profile& profile) {
 
 struct Measurer::Impl {
   Impl(const Section& given, const DimensionParameters& p, const PerDimension<ToleranceLimits>& l,
-       const MeasurementSettings& s)
-      : section(given), parameters(p), limits(l), settings(s) {
+       const MeasurementSettings& s, const PerDimension<double>& calibrationU)
+      : section(given), parameters(p), limits(l), settings(s), calibrationUMm(calibrationU) {
     auto planned = planSection(section, parameters);
     if (!planned) {
       refusal = planned.error().message();
@@ -67,7 +67,7 @@ struct Measurer::Impl {
     d.leftMm.reset();
     d.rightMm.reset();
     d.nominalMm = nominalMm;
-    d.uMm = d.secondUMm = 0;
+    d.uMm = d.secondUMm = d.uCalibrationMm = 0;
     d.points = 0;
     d.reason.clear();
     d.anchors.clear();
@@ -104,10 +104,12 @@ struct Measurer::Impl {
       return;
     }
     const double cold = coldOf(temperature), thermal = settings.expansionPerK * temperature.uncertaintyK;
+    const double calibration = calibrationUMm[index(dimension)];
     const auto total = [&](const Reading& quantity, double variance) {
       const double u = thermal * quantity.value;
-      return std::sqrt(variance + u * u);
+      return std::sqrt(variance + u * u + calibration * calibration);
     };
+    out.uCalibrationMm = calibration;
     out.valueMm = v.value->value;
     const auto variance = [&](const Reading& quantity, double sign) {
       return dimension == Dimension::HF ? extremeVariance(quantity, v, sign) : fits->variance(quantity);
@@ -142,6 +144,7 @@ struct Measurer::Impl {
   DimensionParameters parameters;
   PerDimension<ToleranceLimits> limits;
   MeasurementSettings settings;
+  PerDimension<double> calibrationUMm;
   std::string refusal;  ///< why nothing can be measured with this section and these parameters
   std::unique_ptr<SectionPlan> plan;
   PerDimension<std::optional<double>> nominal;
@@ -152,8 +155,9 @@ struct Measurer::Impl {
 };
 
 Measurer::Measurer(const Section& section, const DimensionParameters& parameters,
-                   const PerDimension<ToleranceLimits>& limits, const MeasurementSettings& settings)
-    : impl_(std::make_unique<Impl>(section, parameters, limits, settings)) {}
+                   const PerDimension<ToleranceLimits>& limits, const MeasurementSettings& settings,
+                   const PerDimension<double>& calibrationUMm)
+    : impl_(std::make_unique<Impl>(section, parameters, limits, settings, calibrationUMm)) {}
 Measurer::~Measurer() = default;
 Measurer::Measurer(Measurer&&) noexcept = default;
 Measurer& Measurer::operator=(Measurer&&) noexcept = default;

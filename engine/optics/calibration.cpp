@@ -5,13 +5,17 @@
 
 #include "engine/files/atomic_file.h"
 #include "engine/files/toml_reader.h"
+#include "engine/optics/calibration_age.h"
+#include "engine/optics/covariance_toml.h"
 #include "engine/optics/intrinsics_toml.h"
+#include "engine/optics/rig_uncertainty.h"
 
 namespace vignole {
 
 namespace {
 
 constexpr double kRotationTolerance = 1e-6;
+constexpr int kMaxIntervalDays = 36500;
 
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -53,11 +57,46 @@ LightPlane readLightPlane(TomlReader& toml, const std::string& at) {
   return plane;
 }
 
+std::vector<CalibratedPin> readPins(TomlReader& toml) {
+  std::vector<CalibratedPin> pins(toml.size("pin"));
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    const std::string at = "pin." + std::to_string(i) + ".";
+    CalibratedPin& pin = pins[i];
+    pin.number = toml.integer(at + "number", 1, 10000);
+    pin.xMm = toml.number(at + "x_mm", -1e4, 1e4);
+    pin.yMm = toml.number(at + "y_mm", -1e4, 1e4);
+    pin.radiusMm = toml.number(at + "radius_mm", 0.1, 1000);
+    pin.uMm = toml.number(at + "u_mm", 0, 100);
+    pin.uRadiusMm = toml.number(at + "u_radius_mm", 0, 100);
+    for (std::size_t j = 0; j < i; ++j)
+      if (pins[j].number == pin.number)
+        toml.refuse(at + "number", "is " + std::to_string(pin.number) + ", which another pin has, too");
+  }
+  return pins;
+}
+
+std::string toToml(const CalibratedPin& pin) {
+  return "\n[[pin]]\nnumber = " + std::to_string(pin.number) + "\nx_mm = " + number(pin.xMm) +
+         "\ny_mm = " + number(pin.yMm) + "\nradius_mm = " + number(pin.radiusMm) + "\nu_mm = " + number(pin.uMm) +
+         "\nu_radius_mm = " + number(pin.uRadiusMm) + "\n";
+}
+
+/// "camera1.f" ... in the order of rig_uncertainty.h.
+std::vector<std::string> parameterNames() {
+  std::vector<std::string> names;
+  for (int camera = 1; camera <= kCameraCount; ++camera)
+    for (int p = 0; p < kCameraParameters; ++p)
+      names.push_back("camera" + std::to_string(camera) + "." + std::string(name(static_cast<CameraParameter>(p))));
+  return names;
+}
+
 }  // namespace
 
 std::string toToml(const RigCalibration& calibration) {
   std::string text = "format = 1\nid = " + quoted(calibration.id) + "\ncreated = " + quoted(calibration.created) +
                      "\nmethod = " + quoted(calibration.method) + "\n";
+  if (calibration.intervalDays > 0) text += "interval_days = " + std::to_string(calibration.intervalDays) + "\n";
+  if (!calibration.plate.empty()) text += "plate = " + quoted(calibration.plate) + "\n";
   for (const RangeFinderCalibration& finder : calibration.rangeFinders) {
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = finder.cameraFromWorld.rotation;
     text += "\n[[range_finder]]\nserial = " + quoted(finder.serial) + "\n";
@@ -69,6 +108,10 @@ std::string toToml(const RigCalibration& calibration) {
             "\ndistance_mm = " + number(finder.lightPlane.distanceMm) + "\n";
     if (finder.lightPlane.thicknessMm > 0) text += "thickness_mm = " + number(finder.lightPlane.thicknessMm) + "\n";
   }
+  for (const CalibratedPin& pin : calibration.pins) text += toToml(pin);
+  if (calibration.covariance.size() > 0)
+    if (const std::string keys = covarianceToToml(parameterNames(), calibration.covariance); !keys.empty())
+      text += "\n[uncertainty]\n" + keys;
   return text;
 }
 
@@ -80,6 +123,11 @@ Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
   calibration.id = toml.text("id");
   calibration.created = toml.text("created");
   calibration.method = toml.text("method");
+  calibration.intervalDays = toml.integer("interval_days", 0, kMaxIntervalDays, 0);
+  if (calibration.intervalDays > 0 && !secondsSinceEpoch(calibration.created))
+    toml.refuse("created",
+                "is no date and time like 2026-01-31T12:00:00Z, so its age against interval_days is unknown");
+  calibration.plate = toml.text("plate", "");
   const std::size_t count = toml.size("range_finder");
   if (count != kCameraCount)
     toml.refuse("range_finder", "appears " + std::to_string(count) + " times; a rig has " +
@@ -93,6 +141,8 @@ Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
     finder.cameraFromWorld = readExtrinsics(toml, at + "camera_from_world.");
     finder.lightPlane = readLightPlane(toml, at + "light_plane.");
   }
+  calibration.pins = readPins(toml);
+  calibration.covariance = readCovariance(toml, "uncertainty", parameterNames());
   if (auto done = toml.finish(); !done) return tl::unexpected<Error>(done.error());
   return calibration;
 }

@@ -61,9 +61,10 @@ ErrorSource errorSource(const RigCalibration& rig) {
   const RigChange inverse = scale.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * rig.covariance *
                                                               inverse.asDiagonal());
-  constexpr double kNothing = 1e-14;
+  // What rounding leaves of an eigenvalue that is zero.
+  const double nothing = 1e-14 * kRigParameters * solver.eigenvalues().maxCoeff();
   for (int i = 0; i < kRigParameters; ++i) {
-    if (!(solver.eigenvalues()[i] > kNothing)) continue;
+    if (!(solver.eigenvalues()[i] > nothing)) continue;
     source.effects.conservativeResize(Eigen::NoChange, source.effects.cols() + 1);
     source.effects.rightCols<1>() =
         scale.asDiagonal() * solver.eigenvectors().col(i) * std::sqrt(solver.eigenvalues()[i]);

@@ -179,6 +179,7 @@ Bytes packProfiles(std::span<const ProfileRecord> records) {
     };
     block.steps([&](const ProfileRecord& r) { return at(r).valueMm; });
     block.steps([&](const ProfileRecord& r) { return ifMeasured(at(r), at(r).uMm); });
+    block.steps([&](const ProfileRecord& r) { return ifMeasured(at(r), at(r).uCalibrationMm); });
     block.steps([&](const ProfileRecord& r) { return at(r).secondMm; });
     block.steps([&](const ProfileRecord& r) { return at(r).secondMm ? std::optional(at(r).secondUMm) : std::nullopt; });
     block.steps([&](const ProfileRecord& r) { return at(r).leftMm; });
@@ -210,6 +211,7 @@ Expected<std::vector<ProfileRecord>> unpackProfiles(std::span<const std::uint8_t
     const auto at = [d](ProfileRecord& r) -> DimensionResult& { return r.dimensions[d]; };
     block.steps([&](ProfileRecord& r, double v) { at(r).valueMm = v; });
     block.steps([&](ProfileRecord& r, double v) { at(r).uMm = v; });
+    block.steps([&](ProfileRecord& r, double v) { at(r).uCalibrationMm = v; });
     block.steps([&](ProfileRecord& r, double v) { at(r).secondMm = v; });
     block.steps([&](ProfileRecord& r, double v) { at(r).secondUMm = v; });
     block.steps([&](ProfileRecord& r, double v) { at(r).leftMm = v; });

@@ -25,7 +25,7 @@ struct ProfileRecord {
   Transform2 worldFromSection;
   double rmsMm = 0;
   int inliers = 0, points = 0;
-  /// value, u, second value, parts, points, reason and verdict are kept; nominal and limits are those of the rail and
+  /// value, u and the calibration's part of it, second value, parts, points, reason and verdict are kept; nominal and limits are those of the rail and
   /// not in the block; anchors are not kept.
   PerDimension<DimensionResult> dimensions;
 };

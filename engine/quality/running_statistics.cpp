@@ -31,9 +31,8 @@ double logGamma(double x) {
   return lgamma_r(x, &sign);
 }
 
-/// Regularised incomplete beta function I_x(a, 1/2), `y` = 1 - x given apart so that nothing is lost near 1.
-double incompleteBetaHalf(double a, double x, double y) {
-  constexpr double b = 0.5;
+/// Regularised incomplete beta function I_x(a, b), `y` = 1 - x given apart so that nothing is lost near 1.
+double incompleteBeta(double a, double b, double x, double y) {
   if (x <= 0) return 0;
   if (y <= 0) return 1;
   const double logX = x < 0.5 ? std::log(x) : std::log1p(-y);
@@ -45,7 +44,7 @@ double incompleteBetaHalf(double a, double x, double y) {
 /// Probability of exceeding t >= 0.
 double upperTail(double t, double nu) {
   const double sum = nu + t * t;
-  return 0.5 * incompleteBetaHalf(nu / 2, nu / sum, t * t / sum);
+  return 0.5 * incompleteBeta(nu / 2, 0.5, nu / sum, t * t / sum);
 }
 
 }  // namespace
@@ -68,6 +67,13 @@ double studentQuantile(double p, double degreesOfFreedom) {
   }
   const double t = 0.5 * (low + high);
   return p < 0.5 ? -t : t;
+}
+
+double fisherUpperTail(double f, double dofNumerator, double dofDenominator) {
+  if (!(f >= 0 && dofNumerator > 0 && dofDenominator > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isinf(f)) return 0;
+  const double sum = dofDenominator + dofNumerator * f;
+  return incompleteBeta(dofDenominator / 2, dofNumerator / 2, dofDenominator / sum, dofNumerator * f / sum);
 }
 
 double ucl99(const RunningStatistics& statistics) {

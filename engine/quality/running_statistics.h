@@ -43,6 +43,9 @@ class RunningStatistics {
 /// Quantile of Student's t distribution, 0 < p < 1, degrees of freedom >= 1 (to 1e-6).
 [[nodiscard]] double studentQuantile(double p, double degreesOfFreedom);
 
+/// Probability that an F-distributed number exceeds f >= 0 (both degrees of freedom > 0).
+[[nodiscard]] double fisherUpperTail(double f, double dofNumerator, double dofDenominator);
+
 /// The paper's Table VII: upper limit of the 99 % confidence interval of the mean, mean + t(0.995, n-1) s / sqrt(n).
 [[nodiscard]] double ucl99(const RunningStatistics& statistics);
 

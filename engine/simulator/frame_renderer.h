@@ -1,25 +1,21 @@
 #pragma once
 // What one camera sees of one trigger: the lit outline, blurred by sheet, lens, pixel and movement, on a noisy ground.
 
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "engine/geometry/image_view.h"
+#include "engine/simulator/camera_faults.h"
 #include "engine/simulator/displaced_outline.h"
-#include "engine/simulator/light_kernels.h"
+#include "engine/simulator/line_painter.h"
 #include "engine/simulator/rail_motion.h"
 #include "engine/simulator/rig_geometry.h"
+#include "engine/simulator/sensor.h"
 #include "engine/simulator/surface.h"
 #include "engine/simulator/virtual_rig.h"
 #include "engine/simulator/visibility.h"
 
 namespace vignole::simulator {
-
-/// 10,000 electrons at 60 DN: variance in DN^2 per DN of signal.
-inline constexpr double kShotPerDn = 60.0 / 10000;
 
 /// The rail at one trigger.
 struct Scene {
@@ -31,20 +27,20 @@ struct Scene {
   const std::vector<float>* ghosts = nullptr;  ///< per vertex: strength of secondary reflections, 0..1
 };
 
-/// How a camera takes this frame.
+/// How a camera takes this frame, and the share of the rail's skin that is scale.
 struct Shot {
-  int camera = 0;
-  Extrinsics cameraFromWorld;  ///< where the camera is, which a fault may have moved off its calibration
-  bool black = false;          ///< no light, no ambient
-  float gain = 1;              ///< exposure: on light and ambient alike
+  CameraShot camera;
   double scaleShare = 0.15;
 };
 
-/// Immutable but for a pool of scratch buffers; render() and visibleLines() may be called from any thread.
+/// Immutable but for a pool of buffers; member functions may be called from any thread. `exposure`: multiple of the
+/// usual one.
 class FrameRenderer {
  public:
-  FrameRenderer(std::uint64_t seed, const RigGeometry& rig, const Effects& effects);
+  FrameRenderer(std::uint64_t seed, const RigGeometry& rig, const Effects& effects, double exposure);
   ~FrameRenderer();
+  FrameRenderer(FrameRenderer&&) noexcept;
+  FrameRenderer& operator=(FrameRenderer&&) = delete;
   FrameRenderer(const FrameRenderer&) = delete;
   FrameRenderer& operator=(const FrameRenderer&) = delete;
   void render(const Scene& scene, const Shot& shot, const MutableImageView& image) const;
@@ -53,23 +49,16 @@ class FrameRenderer {
  private:
   struct Strip;
   struct Scratch;
-  struct View;
-  class Lease;
-  void findStrips(const Scene& scene, const View& view, Scratch& scratch) const;
-  void light(const Scene& scene, const Shot& shot, const View& view, Scratch& scratch) const;
-  void lightStrip(const Scene& scene, const Shot& shot, const View& view, const Strip& strip, Scratch& scratch) const;
-  [[nodiscard]] SplatKernel kernelAt(const View& view, const ExposedPose& pose, const Point2& world,
-                                     double sheetSigmaMm, double offPlaneMm) const;
-  void fillBackground(std::uint64_t key, const Shot& shot, const MutableImageView& image) const;
+  void findStrips(const Scene& scene, const CameraView& view, Scratch& scratch) const;
+  void lightStrip(const Scene& scene, const Shot& shot, const Strip& strip, LinePainter& painter) const;
 
   std::uint64_t seed_;
   RigGeometry rig_;
   Effects effects_;
+  double exposure_;
   Surface surface_;
-  std::vector<float> speckle_, normals_;
-  std::vector<std::uint8_t> background_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<Scratch>> idle_;
+  Sensor sensor_;
+  std::unique_ptr<ScratchPool<Scratch>> scratches_;
 };
 
 }  // namespace vignole::simulator

@@ -23,7 +23,13 @@ enum class Stream : std::uint64_t {
   Gloss,
   Ghost,
   Loss,
-  Missed
+  Missed,
+  Plate,
+  Placement,
+  Spurious,
+  Target,
+  View,
+  IntrinsicsError
 };
 
 /// SplitMix64's finaliser (Steele, Lea, Flood 2014).

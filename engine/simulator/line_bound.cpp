@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/simulator/frame_renderer.h"
+#include "engine/simulator/sensor.h"
 #include "engine/simulator/surface.h"
 
 namespace vignole::simulator {
@@ -93,6 +93,22 @@ double informationPerPx(const LineLight& light, const PictureNoise& noise) {
   return information;
 }
 
+std::vector<LinePlace> readPlaces(const std::vector<Point2>& line, const ImageView& picture, double ambientDn) {
+  std::vector<LinePlace> places;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Point2 &before = line[i == 0 ? 0 : i - 1], &after = line[std::min(i + 1, line.size() - 1)];
+    const Point2 chord = after - before;
+    LinePlace place;
+    place.px = line[i];
+    place.lengthPx = ((line[i] - before).norm() + (after - line[i]).norm()) / 2;
+    if (!(chord.norm() > 0)) continue;
+    place.normal = Point2(-chord.y(), chord.x()) / chord.norm();
+    place.light = readLight(picture, ambientDn, place.px, place.normal);
+    places.push_back(place);
+  }
+  return places;
+}
+
 Expected<RenderedLines> RenderedLines::create(const VirtualRigSettings& settings) {
   VirtualRigSettings twin = settings;
   twin.effects.readNoiseDn = twin.effects.shotNoise = twin.effects.speckle = twin.effects.reflections = 0;
@@ -107,20 +123,8 @@ std::vector<std::vector<LinePlace>> RenderedLines::at(int camera, std::uint64_t 
   twin_->render(camera, trigger, {pixels.data(), in.widthPx, in.heightPx, in.widthPx});
   const ImageView picture{pixels.data(), in.widthPx, in.heightPx, in.widthPx};
   std::vector<std::vector<LinePlace>> lines;
-  for (const std::vector<Point2>& line : twin_->visibleLines(camera, trigger)) {
-    std::vector<LinePlace>& places = lines.emplace_back();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const Point2 &before = line[i == 0 ? 0 : i - 1], &after = line[std::min(i + 1, line.size() - 1)];
-      const Point2 chord = after - before;
-      LinePlace place;
-      place.px = line[i];
-      place.lengthPx = ((line[i] - before).norm() + (after - line[i]).norm()) / 2;
-      if (!(chord.norm() > 0)) continue;
-      place.normal = Point2(-chord.y(), chord.x()) / chord.norm();
-      place.light = readLight(picture, twin_->settings().effects.ambientDn, place.px, place.normal);
-      places.push_back(place);
-    }
-  }
+  for (const std::vector<Point2>& line : twin_->visibleLines(camera, trigger))
+    lines.push_back(readPlaces(line, picture, twin_->settings().effects.ambientDn));
   return lines;
 }
 

@@ -38,6 +38,10 @@ struct LinePlace {
   LineLight light;      ///< contrast 0 where the line is too faint to be read
 };
 
+/// Reads the light along a line off a picture without noise; the line's points lie about 1 px apart.
+[[nodiscard]] std::vector<LinePlace> readPlaces(const std::vector<Point2>& line, const ImageView& picture,
+                                                double ambientDn);
+
 /// Reads the light off a twin of the rig that renders the same scene without noise and secondary reflections: the bound
 /// is that of lines on a ground without structure. Immutable.
 class RenderedLines {

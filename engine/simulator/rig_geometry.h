@@ -25,14 +25,9 @@ struct RigGeometry {
   std::array<double, kCameraCount> focusMm{};  ///< distance along the optical axis that is in focus
 };
 
+inline constexpr double kFNumber = 8;  ///< the lenses' opening
+
 /// The light planes are z = 0 exactly, so the calibration is exact.
 [[nodiscard]] RigGeometry drawRig(std::uint64_t rigSeed);
-
-/// Camera centre in the world, mm.
-[[nodiscard]] Point3 cameraCentre(const Extrinsics& cameraFromWorld);
-
-/// Extrinsics of a camera that stands at distanceMm from `aim` (a point of z = 0), at `azimuthRad` in the plane and
-/// `elevationRad` out of it, and looks at it; rows run along +z of the world.
-[[nodiscard]] Extrinsics lookAt(const Point2& aim, double azimuthRad, double elevationRad, double distanceMm);
 
 }  // namespace vignole::simulator

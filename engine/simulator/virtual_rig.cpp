@@ -1,11 +1,10 @@
 #include "engine/simulator/virtual_rig.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/rail/catalogue.h"
+#include "engine/simulator/camera_faults.h"
 #include "engine/simulator/displaced_outline.h"
 #include "engine/simulator/frame_renderer.h"
 #include "engine/simulator/rail_motion.h"
@@ -22,7 +21,6 @@ namespace {
 constexpr double kExpansionPerK = 11.5e-6;
 constexpr double kReferenceC = 15;
 constexpr double kExposureS = 0.015;
-constexpr float kSaturatedGain = 12;
 // Chords of the rendered outline stay this close to it; coarser where the truth is drawn only.
 constexpr double kRenderSagittaMm = 5e-4, kRenderStepMm = 2;
 constexpr double kTruthSagittaMm = 5e-5, kTruthStepMm = 1.5;
@@ -94,13 +92,8 @@ struct VirtualRig::Impl {
   [[nodiscard]] ExposedPose pose(std::uint64_t trigger) const {
     return motion.exposed(position(trigger) / settings.speedMmPerS);
   }
-  /// The last fault of a kind that is on.
   [[nodiscard]] const Fault* fault(std::string_view kind, int camera, std::uint64_t trigger) const {
-    const Fault* found = nullptr;
-    for (const Fault& f : settings.faults)
-      if (f.kind == kind && (f.camera < 0 || camera < 0 || f.camera == camera) && trigger >= f.from && trigger <= f.to)
-        found = &f;
-    return found;
+    return activeFault(settings.faults, kind, camera, trigger);
   }
   [[nodiscard]] const RailModel& model(std::uint64_t trigger) const {
     const Fault* wrong = fault("wrong-rail", -1, trigger);
@@ -136,21 +129,8 @@ struct VirtualRig::Impl {
 };
 
 Shot VirtualRig::Impl::shot(int camera, std::uint64_t trigger) const {
-  Shot shot;
-  shot.camera = camera;
-  shot.cameraFromWorld = geometry.calibration.rangeFinders[static_cast<std::size_t>(camera)].cameraFromWorld;
-  shot.black = fault("black", camera, trigger) != nullptr;
-  if (fault("saturated", camera, trigger) != nullptr) shot.gain = kSaturatedGain;
-  shot.scaleShare = settings.effects.scale;
+  Shot shot{shotUnder(settings.faults, geometry.calibration, camera, trigger), settings.effects.scale};
   if (const Fault* scale = fault("scale", camera, trigger)) shot.scaleShare = std::max(shot.scaleShare, scale->value);
-  // A camera that shifts goes along its own columns; one that turns pans about its own rows' axis.
-  if (const Fault* move = fault("move", camera, trigger)) shot.cameraFromWorld.translationMm.x() -= move->value;
-  if (const Fault* turn = fault("turn", camera, trigger)) {
-    const Eigen::Matrix3d pan =
-        Eigen::AngleAxisd(turn->value * std::numbers::pi / 180, Eigen::Vector3d::UnitY()).toRotationMatrix();
-    shot.cameraFromWorld.rotation = pan * shot.cameraFromWorld.rotation;
-    shot.cameraFromWorld.translationMm = pan * shot.cameraFromWorld.translationMm;
-  }
   return shot;
 }
 
@@ -194,10 +174,9 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
   const MotionSettings motion{effects.wander, effects.vibration,
                               effects.motion * std::min(kExposureS, settings.spacingMm / settings.speedMmPerS)};
   const std::uint64_t seed = settings.seed;
-  // FrameRenderer is neither copied nor moved, so the aggregate is made in place.
   std::unique_ptr<Impl> impl(new Impl{std::move(settings), geometry, std::move(models), std::move(modelOfFault),
                                       *std::move(law), RailMotion(seed, motion),
-                                      FrameRenderer(seed, geometry, effects)});
+                                      FrameRenderer(seed, geometry, effects, 1)});
   return std::shared_ptr<const VirtualRig>(new VirtualRig(std::move(impl)));
 }
 

@@ -44,6 +44,32 @@ std::vector<Point2> PlanarTarget::points() const {
   return all;
 }
 
+namespace {
+
+/// About the points, so much wider on each side.
+TargetRectangle around(const PlanarTarget& target, double marginMm) {
+  const bool shifted = target.pattern == TargetPattern::AsymmetricCircles;
+  const double width = target.pitchMm * (shifted ? 2 * target.columns - 1 : target.columns - 1);
+  return {Point2(-marginMm, -marginMm), Point2(width + marginMm, target.pitchMm * (target.rows - 1) + marginMm)};
+}
+
+}  // namespace
+
+TargetRectangle board(const PlanarTarget& target) {
+  switch (target.pattern) {
+    case TargetPattern::Chessboard:
+      return around(target, 2 * target.pitchMm);
+    case TargetPattern::DotPlate:
+      return around(target, 1.125 * target.pitchMm);
+    default:
+      return around(target, target.pitchMm);
+  }
+}
+
+DotPlateFrame frame(const PlanarTarget& target) {
+  return {around(target, target.pitchMm), target.pitchMm / 4, target.pitchMm};
+}
+
 Expected<PlanarTarget> parseTarget(std::string_view words) {
   const auto refuse = [&](const std::string& what) {
     return inputError("target " + std::string(words),

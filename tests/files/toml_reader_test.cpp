@@ -17,12 +17,13 @@ std::string errorOf(TomlReader& reader) {
 }
 
 TEST(TomlReader, ReadsEveryKindOfValue) {
-  TomlReader r = read("a = 1.5\nb = 2\nc = true\nd = 'x'\ne = [1, 2.5]\n[t.u]\nv = 7\n[[s]]\nw = 1\n[[s]]\nw = 2\n");
+  TomlReader r = read("a = 1.5\nb = 2\nc = true\nd = 'x'\ne = [1, 2.5]\nf = ['p', 'q']\n[t.u]\nv = 7\n[[s]]\nw = 1\n[[s]]\nw = 2\n");
   EXPECT_EQ(r.number("a", 0, 2), 1.5);
   EXPECT_EQ(r.number("b", 0, 2), 2.0) << "a whole number is a number";
   EXPECT_TRUE(r.boolean("c"));
   EXPECT_EQ(r.text("d"), "x");
   EXPECT_EQ(r.numbers("e", 2), (std::vector<double>{1, 2.5}));
+  EXPECT_EQ(r.texts("f"), (std::vector<std::string>{"p", "q"}));
   EXPECT_EQ(r.integer("t.u.v", 0, 9), 7);
   EXPECT_EQ(r.keys("t"), std::vector<std::string>{"u"});
   ASSERT_EQ(r.size("s"), 2U);
@@ -31,6 +32,24 @@ TEST(TomlReader, ReadsEveryKindOfValue) {
   EXPECT_TRUE(r.has("t.u"));
   EXPECT_FALSE(r.has("nothing"));
   EXPECT_EQ(errorOf(r), "");
+}
+
+TEST(TomlReader, ReadsAListOfAnyLengthOneByOne) {
+  TomlReader r = read("[[f]]\nlevels = [1, 2.5]\n[[f]]\nlevels = ['x', 'y', 'z']\n");
+  ASSERT_EQ(r.size("f"), 2U);
+  ASSERT_EQ(r.listSize("f.0.levels"), 2U);
+  EXPECT_EQ(r.number("f.0.levels.1", 0, 9), 2.5);
+  ASSERT_EQ(r.listSize("f.1.levels"), 3U);
+  EXPECT_EQ(r.text("f.1.levels.2"), "z");
+  EXPECT_EQ(errorOf(r), "");
+
+  TomlReader wrong = read("levels = 3\n");
+  EXPECT_EQ(wrong.listSize("levels"), 0U);
+  EXPECT_NE(errorOf(wrong).find("a list in brackets"), std::string::npos);
+  TomlReader element = read("levels = [1,\n 'x']\n");
+  EXPECT_EQ(element.listSize("levels"), 2U);
+  EXPECT_EQ(element.number("levels.1", 0, 9), 0);
+  EXPECT_NE(errorOf(element).find("test.toml:3:"), std::string::npos);
 }
 
 TEST(TomlReader, FallbackStandsInForWhatIsMissing) {

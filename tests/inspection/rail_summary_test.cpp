@@ -105,6 +105,24 @@ TEST_F(RailSummaryTest, TheHeadsRadiusIsThatOfTheMeanCurvature) {
   EXPECT_NEAR(hr.values.mean(), 375, 1e-9);
 }
 
+TEST_F(RailSummaryTest, WhatTheCalibrationLeavesDoesNotAverageOut) {
+  RailSummariser summariser(rail, recipe, "cal");
+  for (int i = 0; i < 100; ++i) {
+    ProfileResult one = profile(static_cast<std::uint64_t>(i), 0.0, std::hypot(0.01, 0.006));
+    one.measurement.dimensions[index(Dimension::RH)].uCalibrationMm = 0.006;
+    DimensionResult& hr = one.measurement.dimensions[index(Dimension::HR)];
+    hr.valueMm = 300;
+    hr.uMm = std::hypot(3, 0.5);
+    hr.uCalibrationMm = 0.5;
+    summariser.add(one);
+  }
+  const RailSummary summary = summariser.summary({});
+  EXPECT_NEAR(rh(summary).uMm, std::hypot(0.01, 0.006), 1e-12);
+  EXPECT_EQ(rh(summary).uCalibrationMm, 0.006);
+  EXPECT_NEAR(rh(summary).uOfMeanMm(), std::hypot(0.001, 0.006), 1e-12);
+  EXPECT_NEAR(summary.dimensions[index(Dimension::HR)].uOfMeanMm(), std::hypot(0.3, 0.5), 1e-9);
+}
+
 TEST_F(RailSummaryTest, AMeanOfOtherDimensionsIsPlainAndItsUncertaintyFallsWithTheProfiles) {
   const RailSummary summary = summarise({0.1, -0.1, 0.3, 0.1});
   EXPECT_EQ(rh(summary).meanMm(), rh(summary).values.mean());

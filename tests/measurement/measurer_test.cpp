@@ -66,6 +66,31 @@ TEST(Measurer, ReturnsTheNominalsOfEverySectionFromPointsOnIt) {
   }
 }
 
+TEST(Measurer, TheCalibrationsUncertaintyJoinsThatOfTheProfileAndWidensTheGuardBand) {
+  Bench bench(section());
+  const Profile profile = synthetic::sample(bench.rail, exact());
+  const Measurement without = bench.measure(profile);
+  PerDimension<double> calibration;
+  calibration.fill(0.02);
+  calibration[index(Dimension::HW)] = 0;
+  calibration[index(Dimension::RH)] = 0.4;  // of limits at 0.6
+  bench.measurer =
+      std::make_unique<Measurer>(bench.rail, bench.parameters, bench.limits, MeasurementSettings{}, calibration);
+  const Measurement with = bench.measure(profile);
+  for (const Dimension d : kDimensions) {
+    const DimensionResult &a = without.dimensions[index(d)], &b = with.dimensions[index(d)];
+    EXPECT_EQ(a.valueMm, b.valueMm) << vignole::name(d);
+    EXPECT_EQ(a.uCalibrationMm, 0) << vignole::name(d);
+    EXPECT_EQ(b.uCalibrationMm, calibration[index(d)]) << vignole::name(d);
+    EXPECT_NEAR(b.uMm, std::hypot(a.uMm, calibration[index(d)]), 1e-12 * b.uMm) << vignole::name(d);
+  }
+  EXPECT_EQ(without.dimensions[index(Dimension::HW)].uMm, with.dimensions[index(Dimension::HW)].uMm);
+  const DimensionResult &hf = without.dimensions[index(Dimension::HF)], &joined = with.dimensions[index(Dimension::HF)];
+  EXPECT_NEAR(joined.secondUMm, std::hypot(hf.secondUMm, 0.02), 1e-12);
+  EXPECT_EQ(without.dimensions[index(Dimension::RH)].verdict, Verdict::Pass);
+  EXPECT_EQ(with.dimensions[index(Dimension::RH)].verdict, Verdict::Near);
+}
+
 /// 60E1 with some primitives moved: the outline that is sampled need not close.
 class Deformed : public testing::Test {
  protected:

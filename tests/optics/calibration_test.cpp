@@ -4,7 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <random>
 #include <unistd.h>
+
+#include "engine/optics/rig_uncertainty.h"
 
 namespace vignole {
 namespace {
@@ -35,6 +38,23 @@ RigCalibration sample() {
   return c;
 }
 
+/// As a rig adjustment leaves it: interval, plate, pins, and a covariance over all but what was not estimated.
+RigCalibration fullSample() {
+  RigCalibration c = sample();
+  c.intervalDays = 90;
+  c.plate = "plate \\ 7";
+  c.pins = {{1, 1.0 / 3, 86, 8, 0.003, 0.002}, {7, -40.1, 2.0 / 7, 5 + 1e-9, 0.029, 0}};
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd effects = Eigen::MatrixXd::Zero(kRigParameters, kRigParameters);
+  for (int i = 0; i < kRigParameters; ++i)
+    if (i % kCameraParameters != static_cast<int>(CameraParameter::PixelHeight))
+      for (int j = 0; j < kRigParameters; ++j) effects(i, j) = std::pow(10.0, -(i % 7)) * normal(random);
+  const Eigen::MatrixXd square = effects * effects.transpose();
+  c.covariance = (square + square.transpose()) / 2;
+  return c;
+}
+
 class CalibrationFile : public testing::Test {
  protected:
   void SetUp() override {
@@ -48,7 +68,9 @@ class CalibrationFile : public testing::Test {
 
   /// The sample's file with one piece of text replaced; the error that loading it gives.
   std::string errorAfter(const std::string& from, const std::string& to) {
-    std::string text = toToml(sample());
+    return errorAfter(toToml(sample()), from, to);
+  }
+  std::string errorAfter(std::string text, const std::string& from, const std::string& to) {
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     if (at == std::string::npos) return {};
@@ -121,6 +143,76 @@ TEST_F(CalibrationFile, RefusesFewerThanFourRangeFinders) {
   const auto loaded = loadCalibration(file_);
   ASSERT_FALSE(loaded.has_value());
   EXPECT_NE(loaded.error().message().find("3 times"), std::string::npos) << loaded.error().message();
+}
+
+TEST_F(CalibrationFile, KeepsPinsAndUncertaintyToTheLastBit) {
+  const RigCalibration c = fullSample();
+  ASSERT_TRUE(saveCalibration(c, file_).has_value());
+  const auto loaded = loadCalibration(file_);
+  ASSERT_TRUE(loaded.has_value()) << loaded.error().message();
+  EXPECT_EQ(loaded->intervalDays, 90);
+  EXPECT_EQ(loaded->plate, c.plate);
+  ASSERT_EQ(loaded->pins.size(), 2U);
+  EXPECT_EQ(loaded->pins[1].number, 7);
+  EXPECT_EQ(loaded->pins[1].xMm, c.pins[1].xMm);
+  EXPECT_EQ(loaded->pins[1].yMm, c.pins[1].yMm);
+  EXPECT_EQ(loaded->pins[1].radiusMm, c.pins[1].radiusMm);
+  EXPECT_EQ(loaded->pins[0].uRadiusMm, 0.002);
+  EXPECT_EQ(loaded->covariance, c.covariance);
+  EXPECT_EQ(toToml(*loaded), toToml(c));
+}
+
+TEST_F(CalibrationFile, WithoutUncertaintyThereIsNone) {
+  ASSERT_TRUE(saveCalibration(sample(), file_).has_value());
+  const auto loaded = loadCalibration(file_);
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_EQ(loaded->covariance.size(), 0);
+  EXPECT_TRUE(loaded->pins.empty());
+  EXPECT_EQ(loaded->intervalDays, 0);
+}
+
+TEST_F(CalibrationFile, RefusesPinsThatCannotBe) {
+  const std::string text = toToml(fullSample());
+  EXPECT_NE(errorAfter(text, "number = 7", "number = 1").find("another pin"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "radius_mm = 8.0", "radius_mm = -8.0").find("radius_mm"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "u_mm = 0.003", "u_mm = nan").find("u_mm"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "u_mm = 0.003\n", "").find("missing"), std::string::npos);
+}
+
+TEST_F(CalibrationFile, RefusesAnIntervalThatCannotBeWatched) {
+  const std::string text = toToml(fullSample());
+  EXPECT_NE(errorAfter(text, "interval_days = 90", "interval_days = -1").find("interval_days"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "2026-01-02T03:04:05Z", "in spring").find("created"), std::string::npos);
+}
+
+TEST_F(CalibrationFile, RefusesAnUncertaintyThatCannotBe) {
+  RigCalibration c = sample();
+  c.covariance = Eigen::MatrixXd::Zero(kRigParameters, kRigParameters);
+  c.covariance(0, 0) = 4;
+  c.covariance(2, 2) = 9;
+  c.covariance(2, 0) = c.covariance(0, 2) = -5.5;
+  const std::string text = toToml(c);
+  const std::string names = "[\"camera1.f\", \"camera1.u_0\"]";
+  EXPECT_NE(errorAfter(text, names, "[\"camera1.f\", \"camera5.u_0\"]").find("camera5.u_0"), std::string::npos);
+  EXPECT_NE(errorAfter(text, names, "[\"camera1.f\", \"camera1.f\"]").find("twice"), std::string::npos);
+  EXPECT_NE(errorAfter(text, names, "[\"camera1.f\", 3]").find("no text"), std::string::npos);
+  EXPECT_NE(errorAfter(text, names, "[\"camera1.f\"]").find("list of 1"), std::string::npos);
+  EXPECT_NE(errorAfter(text, names, "[]").find("list of 0"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "9.0", "0.0").find("not positive"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "9.0", "-9.0").find("not positive"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "-5.5", "-6.5").find("beyond"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "parameters = " + names + "\n", "").find("parameters"), std::string::npos);
+  EXPECT_NE(errorAfter(text, "[uncertainty]", "[uncertainty]\nlevel = 0.95").find("level"), std::string::npos);
+}
+
+TEST_F(CalibrationFile, RefusesCorrelationsThatNoErrorsCanHave) {
+  RigCalibration c = sample();
+  c.covariance = Eigen::MatrixXd::Zero(kRigParameters, kRigParameters);
+  c.covariance.topLeftCorner<3, 3>() << 1, 0.9, 0.9, 0.9, 1, -0.9, 0.9, -0.9, 1;
+  ASSERT_TRUE(saveCalibration(c, file_).has_value());
+  const auto loaded = loadCalibration(file_);
+  ASSERT_FALSE(loaded.has_value());
+  EXPECT_NE(loaded.error().message().find("semi-definite"), std::string::npos) << loaded.error().message();
 }
 
 TEST_F(CalibrationFile, MissingFileIsAnError) { EXPECT_FALSE(loadCalibration(directory_ / "absent.toml").has_value()); }

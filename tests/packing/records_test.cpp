@@ -34,6 +34,7 @@ std::vector<ProfileRecord> records(std::size_t count) {
       }
       m.valueMm = 70 + 10.0 * static_cast<double>(d) + 0.005 * normal(random);
       m.uMm = 0.005 + 0.0001 * normal(random);
+      m.uCalibrationMm = 0.003;
       m.points = 300;
       m.verdict = Verdict::Pass;
       if (kDimensions[d] == Dimension::HF) {
@@ -78,6 +79,7 @@ TEST(ProfileRecords, ComeBackToTheNanometreWithTheirReasons) {
       expectSame(x.leftMm, y.leftMm);
       expectSame(x.rightMm, y.rightMm);
       EXPECT_NEAR(x.uMm, y.uMm, kRecordStepMm);
+      EXPECT_NEAR(x.uCalibrationMm, y.uCalibrationMm, kRecordStepMm);
       EXPECT_EQ(x.points, y.points);
       EXPECT_EQ(x.verdict, y.verdict);
       EXPECT_EQ(x.reason, y.reason);

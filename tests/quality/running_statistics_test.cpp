@@ -52,6 +52,25 @@ TEST(StudentQuantile, IsSymmetricAndRefusesNonsense) {
   EXPECT_TRUE(std::isnan(studentQuantile(std::nan(""), 5)));
 }
 
+/// Critical values as printed (NIST/SEMATECH e-Handbook 1.3.6.7.3), three decimals.
+TEST(FisherUpperTail, AgreesWithPrintedTables) {
+  struct Row {
+    double f, numerator, denominator, p;
+  };
+  for (const Row& r : {Row{161.448, 1, 1, 0.05}, Row{3.708, 3, 10, 0.05}, Row{3.354, 2, 27, 0.05},
+                       Row{4.103, 5, 20, 0.01}, Row{2.979, 10, 30, 0.01}, Row{1.392, 100, 100, 0.05}})
+    EXPECT_NEAR(fisherUpperTail(r.f, r.numerator, r.denominator), r.p, 3e-5) << r.f;
+}
+
+TEST(FisherUpperTail, OfOneDegreeIsStudentSquared) {
+  for (const double nu : {1.0, 3.0, 17.0, 400.0}) {
+    const double t = studentQuantile(0.995, nu);
+    EXPECT_NEAR(fisherUpperTail(t * t, 1, nu), 0.01, 1e-9) << nu;
+  }
+  EXPECT_EQ(fisherUpperTail(0, 3, 5), 1);
+  EXPECT_TRUE(std::isnan(fisherUpperTail(1, 0, 5)));
+}
+
 TEST(RunningStatistics, AgreesWithTwoPasses) {
   std::mt19937 random(1);
   std::normal_distribution<double> gauss(1e6, 0.01);
