@@ -14,6 +14,7 @@ void addRails(CLI::App& app, int& exitCode);
 void addRecipes(CLI::App& app, int& exitCode);
 void addSimulate(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
+void addArchive(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 
 }  // namespace vignole::cli

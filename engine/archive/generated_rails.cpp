@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/archive/archive.h"
 #include "engine/archive/passing_rail.h"
@@ -12,6 +13,7 @@ namespace vignole {
 namespace {
 
 constexpr double kUMm = 0.005;
+constexpr std::size_t kRailsAtOnce = 32;
 
 /// Half of what is allowed, or a twentieth of a mm where nothing is judged.
 double halfTolerance(const ToleranceLimits& limits) {
@@ -116,6 +118,7 @@ Expected<void> generateRails(std::string_view url, const Recipe& recipe, const G
   const MeasuringPlace place{"generated", "generated", "", ""};
   RailGenerator generator(recipe, settings);
   ProfileResult result;
+  std::optional<Transaction> batch;  // the disk is waited for once in many rails
   for (std::size_t i = 0; i < settings.rails; ++i) {
     const TimeUs began = settings.firstUs + static_cast<TimeUs>(1e6 * settings.everyS * static_cast<double>(i));
     const auto took = static_cast<TimeUs>(1e6 * settings.lengthM);  // at 1 m/s
@@ -125,10 +128,20 @@ Expected<void> generateRails(std::string_view url, const Recipe& recipe, const G
       rail.add(result, false);
     }
     rail.end(generator.ledger(), {}, RailState::Finished, began + took);
-    if (auto stored = guarded([&] { rail.store(database, began); }); !stored) return stored;
+    const auto stored = guarded([&] {
+      if (!batch) batch.emplace(database);
+      rail.store(database, began);
+      if ((i + 1) % kRailsAtOnce == 0) {
+        batch->commit();
+        batch.reset();
+      }
+    });
+    if (!stored) return stored;
     if (progress && !progress(i + 1)) break;
   }
-  return {};
+  return guarded([&] {
+    if (batch) batch->commit();
+  });
 }
 
 }  // namespace vignole
