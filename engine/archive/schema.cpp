@@ -70,11 +70,16 @@ const std::vector<Migration> kMigrations = {
       "create table recording (id {key}, rail bigint not null references rail (id) on delete cascade, "
       "place text not null, digest text not null, stored_us bigint not null)",
 
-      "create table alarm (id {key}, uid text not null unique, rule text not null, priority integer not null, "
-      "cause text not null, consequence text not null, action text not null, rail text not null, "
+      "create table alarm (id {key}, uid text not null unique, rule text not null, source text not null, priority "
+      "integer not null, "
+      "cause text not null, consequence text not null, action text not null, details text not null, rail text not "
+      "null, "
       "raised_us bigint not null, cleared_us bigint, acknowledged_us bigint, acknowledged_by text not null, "
       "shelved_until_us bigint, shelved_by text not null, shelving_reason text not null)",
       "create index alarm_raised on alarm (raised_us)",
+      "create table alarm_step (id {key}, alarm text not null, time_us bigint not null, kind text not null, "
+      "who text not null, content text not null)",
+      "create index alarm_step_alarm on alarm_step (alarm)",
       "create table event (id {key}, time_us bigint not null, source text not null, content text not null, "
       "by_user text not null)",
       "create index event_time on event (time_us)",

@@ -109,6 +109,10 @@ TEST_F(HistoriesTest, AlarmsChangeTheirStateAndStayOne) {
   ASSERT_EQ(all->size(), 2U);
   EXPECT_EQ(all->at(1).acknowledgedBy, "Olga");
   EXPECT_EQ(all->at(1).cause, a.cause);
+  ASSERT_TRUE(alarms.addStep({a.uid, 1000, "raised", "", "HW 72.9 mm at 12.3 m"}));
+  ASSERT_TRUE(alarms.addStep({a.uid, 2000, "acknowledged", "Olga", ""}));
+  ASSERT_EQ(alarms.steps(a.uid)->size(), 2U);
+  EXPECT_EQ(alarms.steps(a.uid)->at(1).who, "Olga");
   a.clearedUs = 4000;
   ASSERT_TRUE(alarms.save(a));
   AlarmQuery active;
