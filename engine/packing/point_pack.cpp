@@ -9,6 +9,7 @@ namespace vignole {
 namespace {
 
 constexpr std::uint8_t kExactKind = 2, kCompactKind = 3;
+constexpr std::uint64_t kMaxPoints = 1U << 20U;  // some two hundred times what a rig gives
 constexpr double kPerMm = 1e5, kPerRad = 1e4, kPerDn = 2;
 
 std::int64_t bitsOf(double value) { return std::bit_cast<std::int64_t>(value); }
@@ -130,7 +131,7 @@ Expected<Profile> unpackPoints(std::span<const std::uint8_t> bytes) {
   for (std::uint64_t i = 0; i < lines && reader.good(); ++i)
     profile.lineEnds.push_back(static_cast<std::uint32_t>(reader.number()));
   const std::uint64_t points = reader.number();
-  if (points > kMaxColumn) reader.refuse("more points than a profile holds");
+  if (points > kMaxPoints) reader.refuse("more points than a profile holds");
   if (!reader.good()) return inputError("points", reader.error());
   profile.points.resize(static_cast<std::size_t>(points));
   readColumn(reader, profile, [](ProfilePoint& p, std::int64_t v) { p.camera = static_cast<std::uint8_t>(v); });

@@ -84,7 +84,7 @@ class BlockReader {
  public:
   explicit BlockReader(std::span<const std::uint8_t> block) : reader_(block, kKind) {
     const std::uint64_t count = reader_.number();
-    if (count > kMaxColumn)
+    if (count > kMaxBlockProfiles)
       reader_.refuse("more profiles than a block holds");
     else
       records_.resize(static_cast<std::size_t>(count));

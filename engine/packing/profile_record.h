@@ -33,8 +33,12 @@ struct ProfileRecord {
 [[nodiscard]] ProfileRecord recordOf(const Profile& profile, const Registration& registration,
                                      const Measurement& measurement);
 
+/// The most that one block holds.
+inline constexpr std::size_t kMaxBlockProfiles = 1U << 16U;
+
+/// At most kMaxBlockProfiles.
 [[nodiscard]] Bytes packProfiles(std::span<const ProfileRecord> records);
-/// At most kMaxColumn; refuses what is damaged.
+/// Refuses what is damaged.
 [[nodiscard]] Expected<std::vector<ProfileRecord>> unpackProfiles(std::span<const std::uint8_t> block);
 
 }  // namespace vignole

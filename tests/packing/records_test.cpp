@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <sodium.h>
 
 #include "engine/packing/point_pack.h"
 #include "engine/packing/profile_record.h"
@@ -184,6 +185,34 @@ TEST(Points, DamageAndWrongKindsAreRefused) {
   bytes[100] ^= 1U;
   EXPECT_FALSE(unpackPoints(bytes));
   EXPECT_FALSE(unpackPoints({}));
+}
+
+/// A file made by somebody who knows the format: changed, but signed again.
+Bytes signedAgain(Bytes bytes) {
+  constexpr std::size_t kDigest = crypto_generichash_BYTES_MIN;
+  const std::size_t content = bytes.size() - kDigest;
+  crypto_generichash(bytes.data() + content, kDigest, bytes.data(), content, nullptr, 0);
+  return bytes;
+}
+
+TEST(Damage, EvenSignedItIsReadOrRefusedAndNothingElse) {
+  const Bytes blocks[] = {packProfiles(records(40)), packPoints(profile(), PointCoding::Compact),
+                          packPoints(profile(), PointCoding::Exact)};
+  std::mt19937 random(8);
+  std::size_t refused = 0;
+  for (const Bytes& good : blocks) {
+    for (int i = 0; i < 1500; ++i) {
+      Bytes bad = good;
+      const std::size_t changes = 1 + random() % 3;
+      for (std::size_t c = 0; c < changes; ++c)  // the beginning says how long everything is
+        bad[2 + random() % (random() % 2 == 0 ? 60 : bad.size() - 20)] = static_cast<std::uint8_t>(random());
+      if (random() % 4 == 0) bad.resize(18 + random() % (bad.size() - 18));
+      bad = signedAgain(std::move(bad));
+      refused += unpackProfiles(bad) ? 0U : 1U;
+      refused += unpackPoints(bad) ? 0U : 1U;
+    }
+  }
+  EXPECT_GT(refused, 4500U);  // what is one kind is refused as the other
 }
 
 }  // namespace
