@@ -69,10 +69,19 @@ class WriterLock {
   int descriptor_ = -1;
 };
 
+/// Rails that a program left behind when it died: what it had stored is put in order as that of a finished rail.
 void interruptRunning(Database& database, const std::string& line) {
-  database.run(
-      "update rail set state = :a where state = :b and line = :c",
-      {static_cast<std::int64_t>(RailState::Interrupted), static_cast<std::int64_t>(RailState::Running), line});
+  Transaction transaction(database);
+  std::vector<std::int64_t> left;
+  database.query("select id from rail where state = :a and line = :b",
+                 {static_cast<std::int64_t>(RailState::Running), line}, "i",
+                 [&](const Row& row) { left.push_back(row.integer(0)); });
+  for (const std::int64_t key : left) {
+    joinBlocks(database, key);
+    database.run("update rail set state = :a where id = :b", {static_cast<std::int64_t>(RailState::Interrupted), key});
+    database.run("update rail set digest = :a where id = :b", {railDigest(database, key), key});
+  }
+  transaction.commit();
 }
 
 /// What the archive needs of a result, into memory that is used again.

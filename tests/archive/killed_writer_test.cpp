@@ -26,15 +26,16 @@ struct Handed {
 
 double nowS() { return duration<double>(Clock::now().time_since_epoch()).count(); }
 
-/// The child: rails of 60 profiles at 200 Hz for ever, telling what it has handed over and when.
+/// The child: rails of 200 profiles at about 200 Hz for ever, telling what it has handed over and when.
 [[noreturn]] void measureForEver(const std::string& file, int told) {
   RailWriterSettings settings;
   settings.place.line = "line 1";
   settings.points.everyNthProfile = 10;
+  settings.commitEveryS = 0.1;  // several blocks a rail
   auto writer = RailWriter::open(file, settings);
   if (!writer) _exit(1);
   GeneratedRails rails;
-  rails.lengthM = 0.9;
+  rails.lengthM = 3;
   rails.failingShare = 0.3;
   RailGenerator generator(testing::recipe(), rails);
   const auto setup = testing::setup();
@@ -70,7 +71,8 @@ TEST(KilledWriter, LosesAtMostTheLastSecondAndNeverTheArchive) {
     }
     ::close(ends[1]);
     std::vector<Handed> handed;
-    const double killAfterS = std::uniform_real_distribution<double>(0.1, 1.2)(random);
+    // The last long enough for a second to be lost before it.
+    const double killAfterS = i + 1 == kills ? 2 : std::uniform_real_distribution<double>(0.1, 1.2)(random);
     std::thread killer([&] {
       std::this_thread::sleep_for(duration<double>(killAfterS));
       ::kill(child, SIGKILL);

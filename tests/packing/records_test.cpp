@@ -201,7 +201,7 @@ TEST(Damage, EvenSignedItIsReadOrRefusedAndNothingElse) {
   std::mt19937 random(8);
   std::size_t refused = 0;
   for (const Bytes& good : blocks) {
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 400; ++i) {
       Bytes bad = good;
       const std::size_t changes = 1 + random() % 3;
       for (std::size_t c = 0; c < changes; ++c)  // the beginning says how long everything is
@@ -212,7 +212,7 @@ TEST(Damage, EvenSignedItIsReadOrRefusedAndNothingElse) {
       refused += unpackPoints(bad) ? 0U : 1U;
     }
   }
-  EXPECT_GT(refused, 4500U);  // what is one kind is refused as the other
+  EXPECT_GT(refused, 1200U);  // what is one kind is refused as the other
 }
 
 }  // namespace
