@@ -22,7 +22,8 @@ PassingRail::PassingRail(const RailBegin& rail, const RailPapers& papers, std::s
   rail_.place = place;
   rail_.papers = papers;
   rail_.beganUs = rail_.endedUs = now;
-  const auto began = std::chrono::floor<std::chrono::seconds>(std::chrono::sys_time(std::chrono::microseconds(now)));
+  const auto began = std::chrono::floor<std::chrono::seconds>(
+      std::chrono::sys_time<std::chrono::microseconds>(std::chrono::microseconds(now)));
   calibrationWarning_ = warningOf(setup_->calibration, ageOf(setup_->calibration, began));
 }
 
