@@ -15,6 +15,7 @@ void addRecipes(CLI::App& app, int& exitCode);
 void addSimulate(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
 void addStudy(CLI::App& app, int& exitCode);
+void addArchive(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 
 }  // namespace vignole::cli

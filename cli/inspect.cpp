@@ -19,8 +19,10 @@
 #include "cli/inspect_output.h"
 #include "cli/interruption.h"
 #include "cli/report_files.h"
+#include "engine/archive/rail_writer.h"
 #include "engine/files/atomic_file.h"
 #include "engine/simulator/virtual_rig.h"
+#include "engine/stripe/stripe_extractor.h"
 
 namespace vignole::cli {
 
@@ -46,8 +48,6 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
   if (o.source == "gige") return later("--source gige", "the GigE Vision cameras");
   if (o.source == "recording" || !o.recording.empty()) return later("--recording", "recordings");
   if (!o.address.empty()) return later("--address", "the GigE Vision cameras");
-  if (!o.archive.empty())
-    return inputError("--archive", "comes with the archive, which this version does not have; leave it out");
   if (!o.record.empty())
     return inputError("--record", "comes with recordings, which this version does not have; leave it out");
   for (const std::string& file : o.reports)
@@ -140,10 +140,22 @@ class Collector {
   DriftWatch drift;
   std::optional<std::uint64_t> firstDriftRail;
 
+  /// Before the start: every rail goes into the archive as well.
+  void writeInto(std::unique_ptr<RailWriter> archive, const Inspection& inspection) {
+    archive_ = std::move(archive);
+    inspection_ = &inspection;
+    setup_ = std::make_shared<const MeasuringSetup>(MeasuringSetup{recipe_, calibration_});
+  }
+  /// Until all is on disk. The inspection is not asked any more.
+  Expected<void> closeArchive() {
+    inspection_ = nullptr;
+    return archive_ ? archive_->close() : Expected<void>{};
+  }
   Expected<void> closeCsv() { return csv_ ? csv_->commit() : Expected<void>{}; }
 
  private:
   void begin(const RailBegin& rail) {
+    if (archive_) archive_->begin(rail, {}, setup_);
     summariser_.emplace(rail, recipe_, calibration_.id);
     example_.reset();
     severity_ = -1;
@@ -156,6 +168,7 @@ class Collector {
     cameras.add(result.profile);
     drift.add(result.profile, result.registration);
     if (csv_) csv_->write(csvRow(result, profileOfRail_));
+    if (archive_) archive_->add(result);
     ++profileOfRail_;
     if (result.registration.valid) {
       ++registered;
@@ -171,6 +184,8 @@ class Collector {
   }
 
   void end(const TriggerLedger& ledger) {
+    if (archive_)
+      archive_->end(ledger, inspection_ != nullptr ? inspection_->stages() : std::vector<StageStatistics>());
     rails.push_back({summariser_->summary(ledger), recipe_.section.name});
     rails.back().summary.calibrationWarning = calibrationWarning_;
     if (drift.endRail().alarm() && !firstDriftRail) firstDriftRail = rails.size();
@@ -191,6 +206,9 @@ class Collector {
   std::string calibrationWarning_;
   std::shared_ptr<const VirtualRig> rig_;
   std::optional<AtomicFile> csv_;
+  std::unique_ptr<RailWriter> archive_;
+  const Inspection* inspection_ = nullptr;
+  std::shared_ptr<const MeasuringSetup> setup_;
   Progress& progress_;
   double profilesExpected_;
   std::optional<RailSummariser> summariser_;
@@ -257,6 +275,15 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
   return code;
 }
 
+/// None where none is asked for.
+Expected<std::unique_ptr<RailWriter>> openArchive(const Options& o) {
+  if (o.archive.empty()) return nullptr;
+  RailWriterSettings settings;
+  settings.place = {"line 1", o.source, VIGNOLE_VERSION, stripeSimdTarget()};
+  settings.live = o.paced;
+  return RailWriter::open(o.archive, settings);
+}
+
 /// Stops the inspection that is connected, also if it is connected after it was asked to.
 class StopSwitch {
  public:
@@ -315,6 +342,9 @@ int inspect(const Options& o) {
     csv = std::move(*file);
   }
 
+  auto archive = openArchive(o);
+  if (!archive) return fail(archive.error());
+
   InspectionOutcome outcome;
   const auto source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
@@ -324,6 +354,7 @@ int inspect(const Options& o) {
     const auto start = Clock::now();
     Inspection inspection(*source, *recipe, calibration, collected.observer());
     const StopSwitch::Connection connection(stopSwitch, inspection);
+    if (*archive) collected.writeInto(std::move(*archive), inspection);
     inspection.start();
     std::optional<Clock::time_point> until;
     if (o.seconds)
@@ -335,6 +366,7 @@ int inspect(const Options& o) {
     outcome.stages = inspection.stages();
   }
   progress.reset();
+  const auto archived = collected.closeArchive();
   outcome.rails = collected.rails;
   outcome.profiles = collected.profiles;
   outcome.calibration = calibration;
@@ -344,6 +376,7 @@ int inspect(const Options& o) {
   outcome.effects = list((*rig)->settings().effects);
   outcome.accuracy = &collected.accuracy;
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
+  if (!archived) return fail(archived.error());
   return judge(o, collected, outcome);
 }
 
@@ -381,7 +414,7 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--effect", o->effects, "NAME=on|off|VALUE of the virtual rig (repeatable)");
   command->add_option("--deviation", o->deviations, "DIM=MM: constant deviation of a dimension (repeatable)");
   command->add_option("--fault", o->faults, "KIND[=VALUE][@CAMERA][:FROM-TO] (repeatable)");
-  command->add_option("--archive", o->archive, "archive to store the rails in");
+  command->add_option("--archive", o->archive, "file (or sqlite:FILE) of the archive to store the rails in");
   command->add_option("--record", o->record, "file to record the frames in");
   command->add_option("--report", o->reports, "FILE.pdf or FILE.png (repeatable)");
   command->add_option("--csv", o->csv, "file: one row a profile");

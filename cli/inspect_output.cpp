@@ -49,40 +49,6 @@ Json toJson(const TriggerLedger& ledger) {
           {"reasons", reasons}};
 }
 
-Json toJson(const InspectedRail& rail) {
-  const RailSummary& s = rail.summary;
-  Json dimensions = Json::array();
-  for (const DimensionSummary& d : s.dimensions) dimensions.push_back(toJson(d));
-  Json json = {{"id", s.rail.id},
-               {"heat", s.rail.heat},
-               {"section", rail.section},
-               {"recipe", s.recipe},
-               {"length_m", s.lengthM},
-               {"profiles", s.profiles},
-               {"verdict", name(s.verdict)},
-               {"dimensions", dimensions},
-               {"triggers", toJson(s.triggers)}};
-  if (s.looksLike)
-    json["looks_like"] = {{"section", s.looksLike->section},
-                          {"chi2", s.looksLike->chi2},
-                          {"chi2_of_recipe", s.looksLike->chi2OfRecipe},
-                          {"profiles", s.looksLike->profiles}};
-  return json;
-}
-
-Json toJson(const StageStatistics& s) {
-  return {{"name", s.name},
-          {"count", s.count},
-          {"mean_ms", s.meanMs},
-          {"sd_ms", s.sdMs},
-          {"ucl99_ms", s.ucl99Ms},
-          {"max_ms", s.maxMs},
-          {"queue_capacity", s.queueCapacity},
-          {"queue_high_water", s.queueHighWater},
-          {"overflows", s.overflows},
-          {"cpu_ms", s.cpuMs}};
-}
-
 Json toJson(const Accuracy& accuracy) {
   Json dimensions = Json::array();
   for (const Dimension d : kDimensions) {
@@ -146,7 +112,69 @@ double rateOf(const InspectionOutcome& outcome) {
 
 std::string fixedOrDash(const std::optional<double>& value) { return value ? format("%.3f", *value) : "-"; }
 
-std::string tableOf(const InspectedRail& rail) {
+void appendNumber(std::string& text, double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), end.ptr);
+}
+
+/// A field that may hold a comma or a quote.
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string flagsOf(const ProfileResult& result) {
+  std::string flags;
+  const auto add = [&flags](const std::string& word) { flags += (flags.empty() ? "" : "|") + word; };
+  for (std::size_t c = 0; c < kCameraCount; ++c) {
+    const std::string camera = "camera " + std::to_string(c + 1) + ": ";
+    if (!result.profile.missing[c].empty()) add(camera + result.profile.missing[c]);
+    if (result.profile.overloaded[c]) add(camera + "overloaded");
+  }
+  if (!result.registration.valid) add("not registered: " + result.registration.reason);
+  return flags;
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const InspectedRail& rail) {
+  const RailSummary& s = rail.summary;
+  Json dimensions = Json::array();
+  for (const DimensionSummary& d : s.dimensions) dimensions.push_back(toJson(d));
+  Json json = {{"id", s.rail.id},
+               {"heat", s.rail.heat},
+               {"section", rail.section},
+               {"recipe", s.recipe},
+               {"length_m", s.lengthM},
+               {"profiles", s.profiles},
+               {"verdict", name(s.verdict)},
+               {"dimensions", dimensions},
+               {"triggers", toJson(s.triggers)}};
+  if (s.looksLike)
+    json["looks_like"] = {{"section", s.looksLike->section},
+                          {"chi2", s.looksLike->chi2},
+                          {"chi2_of_recipe", s.looksLike->chi2OfRecipe},
+                          {"profiles", s.looksLike->profiles}};
+  return json;
+}
+
+nlohmann::ordered_json toJson(const StageStatistics& s) {
+  return {{"name", s.name},
+          {"count", s.count},
+          {"mean_ms", s.meanMs},
+          {"sd_ms", s.sdMs},
+          {"ucl99_ms", s.ucl99Ms},
+          {"max_ms", s.maxMs},
+          {"queue_capacity", s.queueCapacity},
+          {"queue_high_water", s.queueHighWater},
+          {"overflows", s.overflows},
+          {"cpu_ms", s.cpuMs}};
+}
+
+std::string toTable(const InspectedRail& rail) {
   const RailSummary& s = rail.summary;
   std::string text = format("Rail %s  %s  %s  %.3f m  %llu profiles  verdict: %s\n", s.rail.id.c_str(),
                             rail.section.c_str(), s.recipe.c_str(), s.lengthM,
@@ -176,34 +204,6 @@ std::string tableOf(const InspectedRail& rail) {
   return text;
 }
 
-void appendNumber(std::string& text, double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), end.ptr);
-}
-
-/// A field that may hold a comma or a quote.
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string flagsOf(const ProfileResult& result) {
-  std::string flags;
-  const auto add = [&flags](const std::string& word) { flags += (flags.empty() ? "" : "|") + word; };
-  for (std::size_t c = 0; c < kCameraCount; ++c) {
-    const std::string camera = "camera " + std::to_string(c + 1) + ": ";
-    if (!result.profile.missing[c].empty()) add(camera + result.profile.missing[c]);
-    if (result.profile.overloaded[c]) add(camera + "overloaded");
-  }
-  if (!result.registration.valid) add("not registered: " + result.registration.reason);
-  return flags;
-}
-
-}  // namespace
-
 nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   Json json = {{"version", VIGNOLE_VERSION}};
   json["rails"] = Json::array();
@@ -223,7 +223,7 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
 
 std::string toTable(const InspectionOutcome& outcome) {
   std::string text;
-  for (const InspectedRail& rail : outcome.rails) text += tableOf(rail) + "\n";
+  for (const InspectedRail& rail : outcome.rails) text += toTable(rail) + "\n";
   if (outcome.accuracy != nullptr) {
     text += "Against the truth of the virtual rig, single profiles\n";
     text += format("%-6s %9s %9s %9s %12s\n", "mm", "bias", "rms", "max", "mean(e/u)^2");

@@ -35,6 +35,9 @@ struct InspectionOutcome {
   const Accuracy* accuracy = nullptr;                   ///< null without truth
 };
 
+[[nodiscard]] nlohmann::ordered_json toJson(const InspectedRail& rail);
+[[nodiscard]] nlohmann::ordered_json toJson(const StageStatistics& stage);
+[[nodiscard]] std::string toTable(const InspectedRail& rail);
 [[nodiscard]] nlohmann::ordered_json toJson(const InspectionOutcome& outcome);
 [[nodiscard]] std::string toTable(const InspectionOutcome& outcome);
 

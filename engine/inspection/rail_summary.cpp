@@ -61,6 +61,16 @@ int badness(Verdict verdict) {
 
 }  // namespace
 
+std::optional<double> excessMm(Dimension dimension, const DimensionResult& result) {
+  if (!result.valueMm || (!result.lowerMm && !result.upperMm)) return {};
+  return excessOf(dimension, result).byMm;
+}
+
+RadiusMean::RadiusMean(double radiusMm, double uMm) : curvature_(1 / radiusMm) {
+  const double u = uMm / (radiusMm * radiusMm);
+  weight_ = 1 / (u * u);
+}
+
 void RadiusMean::add(double radiusMm, double uMm) {
   if (!(uMm > 0)) return;
   const double u = uMm / (radiusMm * radiusMm), weight = 1 / (u * u);

@@ -33,6 +33,9 @@ struct TrackBin {
 /// without what they have in common (the calibration).
 class RadiusMean {
  public:
+  RadiusMean() = default;
+  /// As it was when these numbers were taken from it; u > 0.
+  RadiusMean(double radiusMm, double uMm);
   void add(double radiusMm, double uMm);
   [[nodiscard]] bool empty() const { return !(weight_ > 0); }
   [[nodiscard]] double radiusMm() const { return 1 / curvature_; }
@@ -62,6 +65,10 @@ struct DimensionSummary {
   /// Standard uncertainty of that mean: what is new in every profile averages out, the calibration's part stays.
   [[nodiscard]] double uOfMeanMm() const;
 };
+
+/// How far a measured value lies beyond its limits (negative: inside, and how far), in the terms in which a dimension is
+/// judged. Empty without a value or without limits.
+[[nodiscard]] std::optional<double> excessMm(Dimension dimension, const DimensionResult& result);
 
 /// Another section than the recipe's, which explains at least half of the profiles of a rail where the recipe's does
 /// not; chi2 as in OtherSection, mean over those profiles.

@@ -12,6 +12,15 @@ namespace vignole {
 
 class RunningStatistics {
  public:
+  RunningStatistics() = default;
+  /// As it was when these numbers were taken from it.
+  RunningStatistics(std::uint64_t count, double mean, double sd, double min, double max) : count_(count) {
+    if (count == 0) return;
+    mean_ = mean;
+    m2_ = sd * sd * static_cast<double>(count - 1);
+    min_ = min;
+    max_ = max;
+  }
   void add(double x) {
     ++count_;
     const double d = x - mean_;

@@ -1,0 +1,145 @@
+#include "engine/archive/archive.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "engine/archive/archive_url.h"
+#include "engine/archive/schema.h"
+#include "tests/archive/archive_folder.h"
+
+namespace vignole {
+namespace {
+
+using testing::ArchiveFolder;
+
+TEST(ArchiveUrl, NamesAFileOrAServer) {
+  EXPECT_EQ(parseArchiveUrl("a b.db")->file, "a b.db");
+  EXPECT_EQ(parseArchiveUrl("sqlite:rails.db")->file, "rails.db");
+  EXPECT_EQ(parseArchiveUrl("sqlite:///var/rails.db")->file, "/var/rails.db");
+  const auto server = parseArchiveUrl("postgresql://vignole:secret@mill/rails?sslmode=require");
+  ASSERT_TRUE(server);
+  EXPECT_EQ(server->kind, ArchiveKind::Postgresql);
+  EXPECT_EQ(shown(*server), "postgresql://mill/rails");
+  EXPECT_FALSE(parseArchiveUrl(""));
+  EXPECT_FALSE(parseArchiveUrl("sqlite:"));
+  EXPECT_FALSE(parseArchiveUrl("mysql://host/rails"));
+}
+
+TEST(Archive, IsMadeOnlyWhereItIsAskedForAndNotForTheWorldToRead) {
+  const ArchiveFolder folder;
+  const auto missing = Archive::open(folder.file());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::Input);
+  EXPECT_FALSE(std::filesystem::exists(folder.file()));
+  const auto made = Archive::open(folder.file(), Archive::Missing::Create);
+  ASSERT_TRUE(made) << made.error().message();
+  EXPECT_EQ(made->schemaVersion(), migrations().back().version);
+  const auto rights = std::filesystem::status(folder.file()).permissions();
+  EXPECT_EQ(rights & std::filesystem::perms::others_all, std::filesystem::perms::none);
+  EXPECT_TRUE(Archive::open("sqlite:" + folder.file()));
+}
+
+TEST(Archive, RefusesFilesThatAreNone) {
+  const ArchiveFolder folder;
+  std::ofstream(folder.file("text")) << std::string(5000, 'x');
+  const auto text = Archive::open(folder.file("text"));
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().kind, ErrorKind::Input);
+  EXPECT_FALSE(Archive::open(std::filesystem::path(folder.file()).parent_path().string()));
+  const auto server = Archive::open("postgresql://mill/rails");
+  ASSERT_FALSE(server);
+  {
+    Database other(*parseArchiveUrl(folder.file("other.db")), Database::Missing::Create);
+    other.run("create table customers (name text)");
+  }
+  const auto other = Archive::open(folder.file("other.db"));
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().what.find("another program"), std::string::npos) << other.error().message();
+}
+
+TEST(Archive, OfALaterVersionIsRefused) {
+  const ArchiveFolder folder;
+  {
+    const Archive archive = testing::openArchive(folder.file());
+    archive.database()->run("update archive set version = 99");
+  }
+  const auto later = Archive::open(folder.file());
+  ASSERT_FALSE(later);
+  EXPECT_NE(later.error().what.find("later version"), std::string::npos) << later.error().message();
+}
+
+TEST(Schema, OlderArchivesAreBroughtForwardStepByStepOrNotAtAll) {
+  const ArchiveFolder folder;
+  Database database(*parseArchiveUrl(folder.file()), Database::Missing::Create);
+  std::vector<Migration> steps = {{1, {"create table a (x bigint)", "insert into a (x) values (5)"}}};
+  migrate(database, steps);
+  EXPECT_EQ(schemaVersion(database), 1);
+  steps.push_back({2, {"alter table a add column y bigint", "update a set y = x + 1"}});
+  steps.push_back({3, {"create table b (z bigint)", "insert into nowhere values (1)"}});
+  EXPECT_THROW(migrate(database, steps), DatabaseFailure);
+  EXPECT_EQ(schemaVersion(database), 1);
+  EXPECT_FALSE(database.first("select name from sqlite_master where name = 'b'", {}, "t"));
+  steps.back().statements.back() = "insert into b (z) select y from a";
+  migrate(database, steps);
+  EXPECT_EQ(schemaVersion(database), 3);
+  EXPECT_EQ(database.first("select z from b", {}, "i")->integer(0), 6);
+}
+
+TEST(Database, ValuesComeBackToTheBit) {
+  const ArchiveFolder folder;
+  Database database(*parseArchiveUrl(folder.file("a=b \"c\".db")), Database::Missing::Create);
+  database.run("create table t (i bigint, r real, t text, b blob)");
+  const SqlValues values = {std::int64_t{INT64_MIN + 1}, 0.1 + 0.2, std::string("O'Brien; drop table t -- \xc3\xa9"),
+                            Bytes{0, 1, 0, 255}};
+  database.run("insert into t values (:a, :b, :c, :d)", values);
+  database.run("insert into t values (:a, :b, :c, :d)", {{}, {}, {}, {}});
+  std::vector<Row> rows;
+  database.query("select i, r, t, b from t order by rowid", {}, "irtb", [&](const Row& row) { rows.push_back(row); });
+  ASSERT_EQ(rows.size(), 2U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(rows[0].value(i), values[i]);
+    EXPECT_TRUE(rows[1].null(i));
+  }
+}
+
+TEST(Database, ATransactionThatIsLeftIsUndone) {
+  const ArchiveFolder folder;
+  Database database(*parseArchiveUrl(folder.file()), Database::Missing::Create);
+  database.run("create table t (i bigint)");
+  {
+    Transaction outer(database);
+    database.run("insert into t values (1)");
+    {
+      Transaction inner(database);
+      database.run("insert into t values (2)");
+      inner.commit();
+    }
+  }
+  EXPECT_EQ(database.first("select count(*) from t", {}, "i")->integer(0), 0);
+  Transaction outer(database);
+  { const Transaction inner(database); }
+  EXPECT_THROW(outer.commit(), DatabaseFailure);
+}
+
+TEST(Archive, IsBackedUpWholeIntoANewFile) {
+  const ArchiveFolder folder;
+  Archive archive = testing::openArchive(folder.file());
+  archive.database()->run("insert into event (time_us, source, content, by_user) values (1, 'a', 'b', 'c')");
+  ASSERT_TRUE(archive.backUpTo(folder.file("copy.db")));
+  EXPECT_FALSE(archive.backUpTo(folder.file("copy.db")));
+  const Archive copy = testing::openArchive(folder.file("copy.db"), Archive::Missing::Refuse);
+  EXPECT_EQ(copy.database()->first("select content from event", {}, "t")->text(0), "b");
+}
+
+TEST(Time, IsWrittenAndReadInUtc) {
+  EXPECT_EQ(isoTime(0), "1970-01-01T00:00:00.000000Z");
+  EXPECT_EQ(isoTime(1'741'356'309'123'456), "2025-03-07T14:05:09.123456Z");
+  EXPECT_EQ(*timeFromIso("2025-03-07T14:05:09.123456Z"), 1'741'356'309'123'456);
+  EXPECT_EQ(*timeFromIso("2025-03-07 14:05:09"), 1'741'356'309'000'000);
+  EXPECT_EQ(*timeFromIso("2024-02-29"), 1'709'164'800'000'000);
+  for (const char* bad : {"", "2025-13-01", "2025-02-29", "7.3.2025", "2025-03-07T25:00:00", "2025-03-07Tx"})
+    EXPECT_FALSE(timeFromIso(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace vignole
