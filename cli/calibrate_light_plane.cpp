@@ -14,7 +14,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "calibration/intrinsics/lens_files.h"
+#include "calibration/lens_files/lens_files.h"
 #include "calibration/light_plane/light_plane_calibration.h"
 #include "calibration/parallel_for.h"
 #include "cli/calibrate.h"

@@ -76,7 +76,6 @@ class Trials {
   [[nodiscard]] bool beyondChance(double confidence) const {
     if (count_ < 2) return false;
     const double mean = sum_ / count_;
-    if (!std::isfinite(mean)) return sum_ > 0;
     const double variance = std::max(0.0, squares_ / count_ - mean * mean) / (count_ - 1);
     return mean > studentQuantile(confidence, count_ - 1) * std::sqrt(variance);
   }
@@ -123,6 +122,8 @@ Expected<std::vector<HeldOut>> crossValidate(const TargetObservations& observati
 }
 
 bool worse(const HeldOut& a, const HeldOut& b, PointErrors errors, double confidence) {
+  // What could not be predicted at all has no mean to be compared.
+  if (!std::isfinite(a.rmsPx) || !std::isfinite(b.rmsPx)) return !std::isfinite(a.rmsPx) && std::isfinite(b.rmsPx);
   const Trials trials = errors == PointErrors::Independent ? trialsOfPoints(a, b) : trialsOfViews(a, b);
   return trials.beyondChance(confidence);
 }

@@ -84,8 +84,8 @@ TEST(SuspectedErrors, AreThoseOfTheTarget) {
   EXPECT_GT(suspected(0, 0.5).outOfPlaneMm, 0.05);
 }
 
-TEST(CircleShift, IsTakenOffToAThousandthOfAPixel) {
-  SyntheticSettings settings{.target = circles(9, 6, 20, 14), .camera = usualCamera()};
+TEST(CircleShift, IsTakenOffButForAFewPercent) {
+  SyntheticSettings settings{.target = circles(9, 6, 20, 10), .camera = usualCamera()};
   settings.camera.kappa = -3e-3;
   settings.views = 4;
   settings.noisePx = 0;
@@ -99,8 +99,8 @@ TEST(CircleShift, IsTakenOffToAThousandthOfAPixel) {
       for (const Point2& r : view) most = std::max(most, r.norm());
     return most;
   };
-  EXPECT_GT(largest(observations), 0.03) << "or the test proves nothing";
-  EXPECT_LT(largest(withoutCircleShift(observations, truth)), 0.002);
+  EXPECT_GT(largest(observations), 0.1) << "or the test proves nothing";
+  EXPECT_LT(largest(withoutCircleShift(observations, truth)), 0.04 * largest(observations));
 }
 
 }  // namespace

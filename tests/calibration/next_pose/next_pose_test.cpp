@@ -27,7 +27,9 @@ CalibrationWorth railWorth(const Intrinsics& in) {
 }
 
 IntrinsicsCalibration calibrated(const std::vector<TargetView>& views, const PlanarTarget& target) {
-  return *calibrateIntrinsics(views, target, {.openCvReference = false});
+  IntrinsicsSettings settings;
+  settings.openCvReference = false;
+  return *calibrateIntrinsics(views, target, settings);
 }
 
 TEST(CalibrationWorth, APoseTakesUpMostOfWhatTheIntrinsicsErr) {
@@ -38,7 +40,9 @@ TEST(CalibrationWorth, APoseTakesUpMostOfWhatTheIntrinsicsErr) {
   for (const auto& effect : worth.effects) {
     const double uMm = CalibrationWorth::uncertainty(effect, covariance);
     EXPECT_GT(uMm, 0) << name(*effect.dimension);
-    if (effect.dimension == Dimension::HW) EXPECT_LT(uMm, 0.01);
+    if (effect.dimension == Dimension::HW) {
+      EXPECT_LT(uMm, 0.01);
+    }
   }
 }
 

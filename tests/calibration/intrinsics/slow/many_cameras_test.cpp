@@ -66,8 +66,9 @@ TEST_P(ManyCameras, ChooseTheModelAndErrAsTheySay) {
     SyntheticSettings settings{.target = chessboard(13, 9, 12), .camera = truth.camera};
     settings.targetErrorMm = truth.targetErrorMm;
     std::mt19937_64 random(static_cast<unsigned>(1000 + draw));
-    const auto c =
-        calibrateIntrinsics(syntheticViews(settings, random).views, settings.target, {.openCvReference = false});
+    IntrinsicsSettings asked;
+    asked.openCvReference = false;
+    const auto c = calibrateIntrinsics(syntheticViews(settings, random).views, settings.target, asked);
     ASSERT_TRUE(c.has_value());
     EXPECT_TRUE(c->accepted());
     ++chosen[name(c->variant)];
