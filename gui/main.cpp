@@ -62,7 +62,10 @@ int run(QApplication& app, const Options& options) {
   auto line = VirtualLine::create(options.line);
   if (!line) return fail(line.error());
   Theme theme(options.dark);
-  MainWindow window(**line, theme);
+  Session session;
+  Units units;
+  Workplace place{theme, **line, session, units};
+  MainWindow window(place);
   window.resize(options.size);
   ProcessUse begin = processUse();
   (*line)->start();
@@ -73,6 +76,7 @@ int run(QApplication& app, const Options& options) {
     window.showMaximized();
   if (const auto chosen = dimensionFromName(options.chosenDimension)) window.monitor().table().choose(chosen);
   window.monitor().setPipelineShown(options.pipeline);
+  window.showPage(options.page);
   window.startTicking();
 
   int exitCode = kDone;

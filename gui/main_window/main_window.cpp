@@ -3,6 +3,7 @@
 #include <QCloseEvent>
 #include <QPushButton>
 #include <QShortcut>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "gui/main_window/alarm_line.h"
@@ -18,29 +19,30 @@ constexpr int kTickMs = 33;          // 30 pictures a second at most
 constexpr int kTicksPerFigures = 6;  // five times a second: faster digits cannot be read
 }  // namespace
 
-MainWindow::MainWindow(Line& line, Theme& theme, const Clock& clock) : line_(line), theme_(theme) {
+MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), line_(place.line), theme_(place.theme) {
   setWindowTitle(tr("Vignole"));
   auto* content = new QWidget(this);
   content->setObjectName(QStringLiteral("page"));
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  header_ = new HeaderBar(theme, clock, content);
-  monitor_ = new MonitorPage(theme, *line.pull(PullDetail::Profile).recipe, content);
-  alarm_ = new AlarmLine(theme, clock, content);
-  pages_ = new PageBar(theme, content);
+  header_ = new HeaderBar(theme_, clock, content);
+  stack_ = new QStackedWidget(content);
+  alarm_ = new AlarmLine(theme_, clock, content);
+  pages_ = new PageBar(theme_, content);
   column->addWidget(header_);
-  column->addWidget(monitor_, 1);
+  column->addWidget(stack_, 1);
   column->addWidget(alarm_);
   column->addWidget(pages_);
   setCentralWidget(content);
+  addPages();
   setMinimumSize(1280, 720);
 
   const auto restyle = [this] { setStyleSheet(theme_.styleSheet()); };
   restyle();
   connect(&theme_, &Theme::changed, this, restyle);
   connect(&header_->themeButton(), &QPushButton::clicked, this, [this] { theme_.setDark(!theme_.dark()); });
-  connect(pages_, &PageBar::monitorAsked, this, &MainWindow::escape);
+  connect(pages_, &PageBar::pageAsked, this, &MainWindow::showPage);
   connect(pages_, &PageBar::pipelineAsked, this, [this] { monitor_->setPipelineShown(!monitor_->pipelineShown()); });
   connect(pages_, &PageBar::fullViewAsked, this, [this] { monitor_->setFullView(!monitor_->fullView()); });
   connect(pages_, &PageBar::runAsked, this, &MainWindow::toggleRun);
@@ -59,6 +61,29 @@ MainWindow::MainWindow(Line& line, Theme& theme, const Clock& clock) : line_(lin
   tick(PullDetail::Everything);
 }
 
+void MainWindow::addPages() {
+  monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
+  add(PageId::Monitor, monitor_);
+}
+
+void MainWindow::add(PageId page, Page* widget) {
+  all_[static_cast<std::size_t>(page)] = widget;
+  stack_->addWidget(widget);
+  pages_->addPage(page);
+  bindKey(Qt::Key_F1 + static_cast<int>(page), [this, page] { showPage(page); });
+}
+
+void MainWindow::showPage(PageId page) {
+  Page* widget = this->page(page);
+  if (widget == nullptr) return;
+  if (page == shown_ && page == PageId::Monitor) escape();
+  shown_ = page;
+  stack_->setCurrentWidget(widget);
+  pages_->setShown(page);
+  widget->setFocus();
+  tick(PullDetail::Everything);
+}
+
 void MainWindow::startTicking() {
   watchdog_.start();
   ticks_.start();
@@ -67,12 +92,12 @@ void MainWindow::startTicking() {
 
 void MainWindow::tick(PullDetail detail) {
   const LineSnapshot& line = line_.pull(detail);
-  monitor_->showProfile(line);
+  if (shown_ == PageId::Monitor) monitor_->setWindowHealth({watchdog_.quantileMs(0.99), watchdog_.maxMs()});
+  page(shown_)->showLine(line, detail);
   if (detail == PullDetail::Profile) return;
   header_->show(line);
   alarm_->show(line);
   pages_->setRunning(line_.running());
-  monitor_->showFigures(line, {watchdog_.quantileMs(0.99), watchdog_.maxMs()});
 }
 
 void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) {
@@ -81,7 +106,6 @@ void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) 
 }
 
 void MainWindow::bindKeys() {
-  bindKey(Qt::Key_F1, [this] { escape(); });
   const ProfileView views[] = {ProfileView::Whole, ProfileView::Head, ProfileView::Web, ProfileView::Foot};
   for (int i = 0; i < 4; ++i)
     bindKey(QKeySequence(Qt::Key_1 + i), [this, view = views[i]] { monitor_->setView(view); });

@@ -4,11 +4,14 @@
 #include <QDateTime>
 #include <QMainWindow>
 #include <QTimer>
+#include <array>
 #include <functional>
 
 #include "gui/bridge/event_loop_watchdog.h"
-#include "gui/bridge/line.h"
-#include "gui/theme/theme.h"
+#include "gui/bridge/workplace.h"
+#include "gui/main_window/page.h"
+
+class QStackedWidget;
 
 namespace vignole {
 
@@ -23,14 +26,17 @@ class MainWindow : public QMainWindow {
  public:
   using Clock = std::function<QDateTime()>;
 
-  /// Line and theme outlive the window. The clock is handed in so that a test can hold it still.
-  MainWindow(
-      Line& line, Theme& theme, const Clock& clock = [] { return QDateTime::currentDateTime(); });
+  /// The workplace outlives the window. The clock is handed in so that a test can hold it still.
+  explicit MainWindow(
+      Workplace& place, const Clock& clock = [] { return QDateTime::currentDateTime(); });
 
   void startTicking();
   /// One display tick: pulls and shows. Public for tests and pictures.
   void tick(PullDetail detail);
 
+  void showPage(PageId page);  ///< nothing if there is no such page
+  [[nodiscard]] PageId page() const { return shown_; }
+  [[nodiscard]] Page* page(PageId page) const { return all_[static_cast<std::size_t>(page)]; }
   [[nodiscard]] MonitorPage& monitor() { return *monitor_; }
   [[nodiscard]] HeaderBar& header() { return *header_; }
   [[nodiscard]] AlarmLine& alarmLine() { return *alarm_; }
@@ -41,17 +47,23 @@ class MainWindow : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void addPages();
+  void add(PageId page, Page* widget);
   void bindKeys();
   void bindKey(const QKeySequence& key, std::function<void()> action);
   void toggleRun();
   void escape();
 
+  Workplace& place_;
   Line& line_;
   Theme& theme_;
   EventLoopWatchdog watchdog_;
   QTimer ticks_, seconds_;
   int tickNumber_ = 0;
   HeaderBar* header_;
+  QStackedWidget* stack_;
+  std::array<Page*, kPageCount> all_{};
+  PageId shown_ = PageId::Monitor;
   MonitorPage* monitor_;
   AlarmLine* alarm_;
   PageBar* pages_;

@@ -37,8 +37,13 @@ Expected<void> fillLine(VirtualLineSettings& line, const RawOptions& raw) {
 }
 
 Expected<void> finish(Options& options, const RawOptions& raw) {
-  if (raw.page != "monitor")
-    return inputError("--page", "there is no page \"" + raw.page + "\" in this version; there is monitor");
+  bool found = false;
+  for (int i = 0; i < kPageCount; ++i)
+    if (raw.page == pageName(static_cast<PageId>(i)).option) {
+      options.page = static_cast<PageId>(i);
+      found = true;
+    }
+  if (!found) return inputError("--page", "there is no page \"" + raw.page + "\" (see --help)");
   if (raw.theme != "light" && raw.theme != "dark")
     return inputError("--theme", "\"" + raw.theme + "\" is neither light nor dark");
   options.dark = raw.theme == "dark";
@@ -62,7 +67,8 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
   VirtualRigSettings& rig = options.line.rig;
   double lengthM = options.line.railLengthMm / 1000, speedMPerS = rig.speedMmPerS / 1000;
   std::uint64_t rigSeed = 0;
-  app.add_option("--page", raw.page, "page to show: monitor");
+  app.add_option("--page", raw.page,
+                 "monitor, stripes, charts, rails, calibration, recipes, quality, alarms, diagnostics or settings");
   app.add_option("--theme", raw.theme, "light or dark");
   app.add_option("--recipe", raw.recipe, "name or file of the recipe (default 60E1)");
   app.add_option("--seed", rig.seed, "of the virtual rail (default 1)");

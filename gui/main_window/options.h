@@ -7,10 +7,12 @@
 
 #include "engine/geometry/expected.h"
 #include "gui/bridge/virtual_line.h"
+#include "gui/main_window/page.h"
 
 namespace vignole {
 
 struct Options {
+  PageId page = PageId::Monitor;
   bool dark = false;
   std::string screenshot;  ///< file; empty: none
   QSize size{1920, 1080};

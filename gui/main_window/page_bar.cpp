@@ -11,12 +11,9 @@ PageBar::PageBar(const Theme& theme, QWidget* parent) : QFrame(parent), theme_(t
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  monitor_ = add(QStringLiteral("F1"), tr("Monitor"), QStringLiteral("monitor"), &PageBar::monitorAsked);
-  monitor_->setCheckable(true);
-  monitor_->setChecked(true);
-  // The page that is shown stays marked, however often its button is pressed.
-  connect(monitor_, &QPushButton::clicked, monitor_, [this] { monitor_->setChecked(true); });
-  row->addWidget(monitor_);
+  pageRow_ = new QHBoxLayout;
+  pageRow_->setSpacing(0);
+  row->addLayout(pageRow_);
   row->addStretch(1);
   pipeline_ = add(QStringLiteral("H"), tr("Pipeline"), QStringLiteral("diagnostics"), &PageBar::pipelineAsked);
   pipeline_->setCheckable(true);
@@ -26,6 +23,28 @@ PageBar::PageBar(const Theme& theme, QWidget* parent) : QFrame(parent), theme_(t
   for (QPushButton* button : {pipeline_, full_, run_}) row->addWidget(button);
   connect(&theme_, &Theme::changed, this, &PageBar::relabel);
   relabel();
+}
+
+void PageBar::addPage(PageId page) {
+  auto* button = new QPushButton(this);
+  button->setFont(uiFont(18, 500));
+  button->setFixedHeight(56);
+  button->setIconSize({22, 22});
+  button->setCheckable(true);
+  connect(button, &QPushButton::clicked, this, [this, page] {
+    setShown(shown_);  // what is shown stays marked, however often its button is pressed
+    emit pageAsked(page);
+  });
+  pages_[static_cast<std::size_t>(page)] = button;
+  pageRow_->addWidget(button);
+  setShown(shown_);
+  relabel();
+}
+
+void PageBar::setShown(PageId page) {
+  shown_ = page;
+  for (int i = 0; i < kPageCount; ++i)
+    if (QPushButton* button = pages_[static_cast<std::size_t>(i)]) button->setChecked(i == static_cast<int>(page));
 }
 
 QPushButton* PageBar::add(const QString& key, const QString& word, const QString& icon, void (PageBar::*signal)()) {
@@ -47,7 +66,11 @@ void PageBar::label(QPushButton* button, const QString& key, const QString& word
 }
 
 void PageBar::relabel() {
-  label(monitor_, QStringLiteral("F1"), tr("Monitor"), QStringLiteral("monitor"));
+  for (int i = 0; i < kPageCount; ++i)
+    if (QPushButton* button = pages_[static_cast<std::size_t>(i)]) {
+      const auto page = static_cast<PageId>(i);
+      label(button, QStringLiteral("F%1").arg(i + 1), pageWord(page), QString::fromLatin1(pageName(page).icon));
+    }
   label(pipeline_, QStringLiteral("H"), tr("Pipeline"), QStringLiteral("diagnostics"));
   label(full_, QStringLiteral("F11"), tr("Full view"), QStringLiteral("fit"));
   label(run_, QStringLiteral("Ctrl+R"), running_ ? tr("Stop line") : tr("Start line"),

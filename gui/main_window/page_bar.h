@@ -2,9 +2,12 @@
 // The bar at the foot: the pages there are, at the left; commands with their keys, at the right.
 
 #include <QFrame>
+#include <array>
 
+#include "gui/main_window/page.h"
 #include "gui/theme/theme.h"
 
+class QHBoxLayout;
 class QPushButton;
 
 namespace vignole {
@@ -14,12 +17,14 @@ class PageBar : public QFrame {
 
  public:
   explicit PageBar(const Theme& theme, QWidget* parent = nullptr);
+  void addPage(PageId page);  ///< in the order of their keys
+  void setShown(PageId page);
   void setRunning(bool running);
   void setPipelineShown(bool shown);
   void setFullView(bool full);
 
  signals:
-  void monitorAsked();
+  void pageAsked(PageId page);
   void pipelineAsked();
   void fullViewAsked();
   void runAsked();
@@ -30,7 +35,10 @@ class PageBar : public QFrame {
   void relabel();
 
   const Theme& theme_;
-  QPushButton *monitor_, *pipeline_, *full_, *run_;
+  QHBoxLayout* pageRow_;
+  std::array<QPushButton*, kPageCount> pages_{};
+  PageId shown_ = PageId::Monitor;
+  QPushButton *pipeline_, *full_, *run_;
   bool running_ = false;
 };
 

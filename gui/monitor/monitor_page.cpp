@@ -53,7 +53,7 @@ StripSeries seriesOf(const LineSnapshot& line, Dimension dimension) {
 }  // namespace
 
 MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent)
-    : QWidget(parent), theme_(theme), drawingPanel_(new QFrame(this)), tablePanel_(new QFrame(this)) {
+    : Page(parent), theme_(theme), drawingPanel_(new QFrame(this)), tablePanel_(new QFrame(this)) {
   setObjectName(QStringLiteral("page"));
   drawingPanel_->setObjectName(QStringLiteral("plotPanel"));
   tablePanel_->setObjectName(QStringLiteral("panel"));
@@ -151,13 +151,18 @@ void MonitorPage::showProfile(const LineSnapshot& line) {
   if (canvas_->isVisible()) canvas_->show(line);
 }
 
-void MonitorPage::showFigures(const LineSnapshot& line, const WindowHealth& window) {
+void MonitorPage::showLine(const LineSnapshot& line, PullDetail detail) {
+  showProfile(line);
+  if (detail == PullDetail::Everything) showFigures(line);
+}
+
+void MonitorPage::showFigures(const LineSnapshot& line) {
   verdict_->show(line);
   table_->show(line);
   lastRails_->show(line);
   showStrips(line);
   pointAtDimension(&line);
-  if (pipelineShown_) pipeline_->show(line, window);
+  if (pipelineShown_) pipeline_->show(line, window_);
 }
 
 void MonitorPage::showStrips(const LineSnapshot& line) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/bridge/line.h"
+#include "gui/main_window/page.h"
 #include "gui/monitor/pipeline_panel.h"
 #include "gui/theme/theme.h"
 #include "report/profile_drawing.h"
@@ -26,17 +26,20 @@ class ProfileCanvas;
 class StripChart;
 class VerdictPanel;
 
-class MonitorPage : public QWidget {
+class MonitorPage : public Page {
   Q_OBJECT
 
  public:
   /// The recipe outlives the page.
   MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent = nullptr);
 
+  void showLine(const LineSnapshot& line, PullDetail detail) override;
+  void setWindowHealth(const WindowHealth& window) { window_ = window; }
+
   /// The drawing; on every display tick.
   void showProfile(const LineSnapshot& line);
   /// Everything that is read as words and numbers; a few times a second: digits that change faster cannot be read.
-  void showFigures(const LineSnapshot& line, const WindowHealth& window);
+  void showFigures(const LineSnapshot& line);
 
   void setView(ProfileView view);
   void setMagnification(double magnification);  ///< 1 .. 100
@@ -84,6 +87,7 @@ class MonitorPage : public QWidget {
   std::vector<Dimension> stripDimensions_;
   std::optional<Dimension> worst_;
   double magnification_ = 20;
+  WindowHealth window_{};
   bool fullView_ = false, pipelineShown_ = false;
 };
 

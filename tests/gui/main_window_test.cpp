@@ -26,11 +26,14 @@ class MainWindowTest : public ::testing::Test {
  protected:
   FakeLine line;
   Theme theme;
+  Session session;
+  Units units;
+  Workplace place{theme, line, session, units};
   std::unique_ptr<MainWindow> window;
 
   void SetUp() override {
     line.snapshot = makeSnapshot();
-    window = std::make_unique<MainWindow>(line, theme, stillClock);
+    window = std::make_unique<MainWindow>(place, stillClock);
     window->resize(1920, 1080);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));

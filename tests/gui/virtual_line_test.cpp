@@ -61,7 +61,10 @@ TEST(VirtualLine, ClosingTheWindowWhileMeasuringStopsCleanly) {
   auto line = VirtualLine::create(settings());
   ASSERT_TRUE(line) << line.error().message();
   Theme theme;
-  MainWindow window(**line, theme);
+  Session session;
+  Units units;
+  Workplace place{theme, **line, session, units};
+  MainWindow window(place);
   (*line)->start();
   window.show();
   window.startTicking();

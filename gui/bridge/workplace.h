@@ -1,0 +1,23 @@
+#pragma once
+// What the pages work with: made once by main.cpp (or a test), outlives them all.
+
+#include <string>
+
+#include "engine/archive/archive.h"
+#include "gui/bridge/line.h"
+#include "gui/bridge/session.h"
+#include "gui/bridge/units.h"
+#include "gui/theme/theme.h"
+
+namespace vignole {
+
+struct Workplace {
+  Theme& theme;
+  Line& line;
+  Session& session;
+  Units& units;
+  Archive* archive = nullptr;       ///< null: there is none at the moment
+  std::string archiveProblem = {};  ///< why: one line
+};
+
+}  // namespace vignole
