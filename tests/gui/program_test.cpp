@@ -41,7 +41,7 @@ void expectOneLine(const Outcome& outcome, const QByteArray& naming) {
 
 TEST(Program, RefusesWhatItDoesNotKnowInOneLine) {
   expectOneLine(start({"--colour", "red"}), "--colour");
-  expectOneLine(start({"--page", "stripes", "--screenshot", "x.png"}), "stripes");
+  expectOneLine(start({"--page", "cellar", "--screenshot", "x.png"}), "cellar");
   expectOneLine(start({"--theme", "pink"}), "pink");
   expectOneLine(start({"--size", "huge"}), "huge");
   expectOneLine(start({"--recipe", "no-such-rail"}), "no-such-rail");
