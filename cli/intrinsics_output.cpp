@@ -303,7 +303,7 @@ std::string toTable(const IntrinsicsCalibration& c, const std::optional<NextPose
       text += printed("%d points, %.3f px RMS%s", v.points, v.rmsPx,
                       v.rejected > 0 ? (", " + std::to_string(v.rejected) + " points rejected").c_str() : "");
     else
-      text += "not used, " + v.reason;
+      text += v.reason.empty() ? "found, but too few pictures are of use" : "not used, " + v.reason;
     text += "\n";
   }
   for (const std::string& w : c.warnings) text += "note: " + w + "\n";

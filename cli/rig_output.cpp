@@ -169,15 +169,34 @@ Json toJson(const RigResult& result) {
   return j;
 }
 
+namespace {
+
+/// A pin that no picture shows is not there, dirty, or hidden.
+std::string pinsNeverSeen(const RigResult& result) {
+  std::string text;
+  for (const Pin& pin : result.inputs->plate.pins) {
+    const auto seen = [&](const PinView& view) { return view.pin == pin.number && view.used; };
+    const auto& views = result.adjustment.pins;
+    if (std::none_of(views.begin(), views.end(), seen))
+      text += printed("note: pin %d is used in no picture; look whether it is on the plate and clean\n", pin.number);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string toTable(const RigResult& result) {
   const RigAdjustment& a = result.adjustment;
   std::size_t used = 0;
   for (const PinView& pin : a.pins) used += pin.used ? 1U : 0U;
-  std::string text =
-      printed("rig by %s: %zu of %zu pin views used, chi2 per degree of freedom %.2f, intrinsics %s, %.2f s\n",
-              std::string(name(a.method)).c_str(), used, a.pins.size(), a.chi2PerDof,
-              a.intrinsicsFreed ? "improved by the plate" : "as calibrated before", a.solveS);
-  text += tableFour(a);
+  std::string text;
+  if (used > 0) {
+    text = printed("rig by %s: %zu of %zu pin views used, ", std::string(name(a.method)).c_str(), used, a.pins.size());
+    if (a.chi2PerDof > 0) text += printed("chi2 per degree of freedom %.2f, ", a.chi2PerDof);
+    text += printed("intrinsics %s, %.2f s\n", a.intrinsicsFreed ? "improved by the plate" : "as calibrated before",
+                    a.solveS);
+    text += tableFour(a) + pinsNeverSeen(result);
+  }
   if (!result.dimensions.empty()) text += dimensionTable(result);
   text += checkTable(result.checks);
   for (const PlacementLines& placement : result.inputs->placements)

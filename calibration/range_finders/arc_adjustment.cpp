@@ -17,10 +17,12 @@ namespace {
 constexpr int kStepsPerRound = 12;
 // What arcs may lie off by in the first rounds, when cameras are where the drawing has them or a little better.
 constexpr double kFirstPlaceMm = 3, kSecondPlaceMm = 0.3;
-constexpr double kSettledPx = 3e-4;  // of the largest change of a pull from round to round
-constexpr double kBadArc = 4;        // rms of an arc's residuals, in their standard deviations
+constexpr double kSettledPx = 3e-4;   // of the largest change of a pull from round to round
+constexpr double kExactPinMm = 1e-4;  // uncertainty of pins that are stated without one
+constexpr double kBadArc = 4;         // rms of an arc's residuals, in their standard deviations
 
-ArcUnknowns unknownsOf(const RigState& state, const std::array<Eigen::Matrix<double, 10, 1>, kCameraCount>& intrinsics) {
+ArcUnknowns unknownsOf(const RigState& state,
+                       const std::array<Eigen::Matrix<double, 10, 1>, kCameraCount>& intrinsics) {
   ArcUnknowns unknowns;
   for (std::size_t c = 0; c < kCameraCount; ++c)
     for (std::size_t k = 0; k < kIntrinsicsUnknowns; ++k)
@@ -100,6 +102,31 @@ void rejectBadArcs(const std::array<CameraLight, kCameraCount>& lights, double p
   }
 }
 
+/// Of points, as many as tell independent things, and of the priors; every pin and intrinsic that is free has one.
+double chi2PerDof(const ArcAdjustment& a, std::span<const int> cameras, const PinPlate& plate) {
+  double sum = 0, freedom = 0;
+  for (const ArcObservation& arc : a.arcs) {
+    if (!arc.used()) continue;
+    const CameraLight& light = a.lights[static_cast<std::size_t>(arc.camera)];
+    const double shared = arc.correlatedPoints(light);
+    for (std::size_t i = 0; i < arc.inside.size(); ++i) {
+      if (arc.inside[i] == 0) continue;
+      sum += arc.weight[i] * std::pow(arc.residualPx[i] / (light.noise * arc.sigmaPx[i]), 2) / shared;
+      freedom += arc.weight[i] / shared;
+    }
+  }
+  if (a.freedom.intrinsics)
+    for (const int c : cameras) sum += a.intrinsics[static_cast<std::size_t>(c)].squaredNorm();
+  for (std::size_t p = 0; a.freedom.pins && p < plate.pins.size(); ++p) {
+    const Pin &found = a.state.pins[p], &stated = plate.pins[p];
+    sum += (found.centreMm - stated.centreMm).squaredNorm() / std::pow(std::max(stated.uCentreMm, kExactPinMm), 2) +
+           std::pow((found.radiusMm - stated.radiusMm) / std::max(stated.uRadiusMm, kExactPinMm), 2);
+  }
+  freedom -=
+      static_cast<double>(kPoseUnknowns * cameras.size() + kPlacementUnknowns * (a.state.worldFromPlate.size() - 1));
+  return freedom > 0 ? sum / freedom : 0;
+}
+
 Eigen::MatrixXd freeBlock(const Eigen::MatrixXd& m, const std::vector<Eigen::Index>& rows,
                           const std::vector<Eigen::Index>& columns) {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
@@ -139,7 +166,6 @@ Influence influence(const ArcAdjustment& adjustment, const PinPlate& plate, std:
 
   std::vector<Eigen::Index> freeOnes;
   Eigen::VectorXd priors = Eigen::VectorXd::Zero(order.size());
-  constexpr double kExactMm = 1e-4;
   for (const int c : cameras) {
     for (int k = 0; freedom.intrinsics && k < kIntrinsicsUnknowns; ++k)
       if (const Eigen::Index i = order.intrinsics(c) + k; determined(i)) {
@@ -157,7 +183,7 @@ Influence influence(const ArcAdjustment& adjustment, const PinPlate& plate, std:
     for (int k = 0; k < kPinUnknowns; ++k)
       if (const Eigen::Index i = order.pin(p) + k; determined(i)) {
         freeOnes.push_back(i);
-        priors[i] = 1 / std::pow(std::max(uOfPin(p, k), kExactMm), 2);
+        priors[i] = 1 / std::pow(std::max(uOfPin(p, k), kExactPinMm), 2);
       }
   for (std::size_t m = 0; m < adjustment.state.worldFromPlate.size(); ++m)
     for (int k = 0; k < kPlacementUnknowns && static_cast<int>(m) != adjustment.referencePlacement; ++k)
@@ -169,9 +195,8 @@ Influence influence(const ArcAdjustment& adjustment, const PinPlate& plate, std:
     a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += priors[freeOnes[i]];
   const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd unit = scale.asDiagonal() * a * scale.asDiagonal();
-  const Eigen::MatrixXd inverse = scale.asDiagonal() *
-                                  unit.ldlt().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols())) *
-                                  scale.asDiagonal();
+  const Eigen::MatrixXd inverse =
+      scale.asDiagonal() * unit.ldlt().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols())) * scale.asDiagonal();
 
   // Answers of the free unknowns -> all that is asked for: changes of the cameras, then pins.
   const Eigen::Index rows = kRigParameters + static_cast<Eigen::Index>(pinCount) * kPinUnknowns;
@@ -233,9 +258,8 @@ Influence influence(const ArcAdjustment& adjustment, const PinPlate& plate, std:
       if (solver.eigenvalues()[i] > nothing) kept.push_back(i);
     Eigen::MatrixXd root(noise.rows(), static_cast<Eigen::Index>(kept.size()));
     for (std::size_t i = 0; i < kept.size(); ++i)
-      root.col(static_cast<Eigen::Index>(i)) =
-          scale.cwiseInverse().asDiagonal() * solver.eigenvectors().col(kept[i]) *
-          std::sqrt(solver.eigenvalues()[kept[i]]);
+      root.col(static_cast<Eigen::Index>(i)) = scale.cwiseInverse().asDiagonal() * solver.eigenvectors().col(kept[i]) *
+                                               std::sqrt(solver.eigenvalues()[kept[i]]);
     result.ofLines[camera] = take(answer(place(inverse * root)));
 
     const Eigen::MatrixXd own = freeBlock(adjustment.normals.information[camera], freeOnes, freeOnes);
@@ -287,6 +311,7 @@ Expected<ArcAdjustment> adjustArcs(const RigInputs& inputs, const ArcStart& star
   // Residuals of what was found, by the pulls that it was found with.
   predict(result.state, result.lights, settings, freedom.pins ? 0.0 : 2 * uPin, arcs);
   result.arcs = std::move(arcs);
+  result.chi2PerDof = chi2PerDof(result, cameras, inputs.plate);
   return result;
 }
 

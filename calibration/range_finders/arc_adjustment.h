@@ -44,23 +44,23 @@ struct ArcNormals {
 /// How the estimate answers to one standard deviation of each independent cause: rows as RigChange, then pins (3 each,
 /// mm).
 struct Influence {
-  Eigen::MatrixXd covariance;                                 ///< of RigChange and pins, all causes
-  std::vector<Eigen::MatrixXd> ofPin;                         ///< columns: x, y, radius
-  std::array<Eigen::MatrixXd, kCameraCount> ofIntrinsics;     ///< columns: the ten factors
+  Eigen::MatrixXd covariance;                              ///< of RigChange and pins, all causes
+  std::vector<Eigen::MatrixXd> ofPin;                      ///< columns: x, y, radius
+  std::array<Eigen::MatrixXd, kCameraCount> ofIntrinsics;  ///< columns: the ten factors
   std::array<Eigen::MatrixXd, kCameraCount> ofLines;
-  std::array<double, kCameraCount> parameters{};              ///< how many of them each camera's points determine
+  std::array<double, kCameraCount> parameters{};  ///< how many of them each camera's points determine
 };
 
 struct ArcAdjustment {
   RigState state;
   std::array<CameraLight, kCameraCount> lights;
-  std::array<CameraBase, kCameraCount> base;  ///< the intrinsics as stated, and their factor
+  std::array<CameraBase, kCameraCount> base;                          ///< the intrinsics as stated, and their factor
   std::array<Eigen::Matrix<double, 10, 1>, kCameraCount> intrinsics;  ///< found, in stated standard deviations
   std::vector<ArcObservation> arcs;
   ArcNormals normals;
   ArcFreedom freedom;
   int referencePlacement = 0;
-  double cost = 0;  ///< sum of squares, of points and of priors, over the degrees of freedom
+  double chi2PerDof = 0;  ///< of independent points and priors
 };
 
 struct ArcStart {

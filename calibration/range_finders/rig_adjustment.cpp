@@ -188,7 +188,7 @@ Expected<void> adjustJoint(const RigInputs& inputs, const RigAdjustmentSettings&
   takePins(*solved, inputs, result);
   takePlacements(solved->adjustment, inputs, result);
   result.intrinsicsFreed = solved->adjustment.freedom.intrinsics && intrinsicsUncertain(solved->adjustment, all);
-  result.chi2PerDof = solved->adjustment.cost;
+  result.chi2PerDof = solved->adjustment.chi2PerDof;
   return {};
 }
 
@@ -226,7 +226,7 @@ Expected<void> adjustPerCamera(const RigInputs& inputs, const RigAdjustmentSetti
     }
     result.intrinsicsFreed =
         result.intrinsicsFreed || (solved->adjustment.freedom.intrinsics && intrinsicsUncertain(solved->adjustment, one));
-    result.chi2PerDof += solved->adjustment.cost / kCameraCount;
+    result.chi2PerDof += solved->adjustment.chi2PerDof / kCameraCount;
   }
   return {};
 }
