@@ -16,7 +16,7 @@ using testing::RenderedRails;
 using testing::SeamsBy;
 using testing::Stripes;
 
-constexpr int kRails = 60;  // of each section
+constexpr int kRails = 200;  // of each section
 constexpr int kProfiles = 2;
 
 /// A rig calibrated with errors of its own, as a plate of 50 um leaves them.
