@@ -148,7 +148,7 @@ std::vector<TableBlock> parameterTables(const RigAdjustment& a) {
 PictureBlock pictures(const RigCalibrationReport& report, bool lines) {
   PictureBlock block;
   block.title = lines ? "Lines extracted (Fig. 8c)" : "Pictures of the first placement (Fig. 8b)";
-  block.columns = 2;
+  block.columns = lines ? 4 : 2;  // both on one page
   if (report.inputs->placements.empty()) return block;
   const PlacementLines& placement = report.inputs->placements.front();
   for (const int camera : {0, 1, 3, 2}) {
