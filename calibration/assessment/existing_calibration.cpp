@@ -78,7 +78,7 @@ std::string folderOf(const RigInputs& inputs, std::size_t placement) {
 Check pinsCheck(const std::vector<Fold>& placements) {
   Check check = foldCheck("pins", placements);
   if (!check.done) return check;
-  Misfit all;
+  PinMisfit all;
   for (const Fold& fold : placements) all += fold.misfit;
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "the pins lie %.4f mm off where %.4f mm are expected", check.value,

@@ -38,7 +38,7 @@ class FoldSums {
   }
 
  private:
-  Misfit misfit_;
+  PinMisfit misfit_;
   double cd_ = 0;
   int cdViews_ = 0;
 };
@@ -140,7 +140,7 @@ Expected<std::vector<Fold>> placementFolds(const RigInputs& inputs, const RigAdj
 
 Check foldCheck(const std::string& what, const std::vector<Fold>& folds) {
   Check check{what, false, 0, 0, "mm", true, "there are too few to leave any out", ""};
-  Misfit all;
+  PinMisfit all;
   const Fold* worst = nullptr;
   for (const Fold& fold : folds) {
     if (fold.misfit.count() == 0) continue;

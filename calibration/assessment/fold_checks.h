@@ -17,7 +17,7 @@ namespace vignole {
 /// One solution without some pins or one placement, and where it puts what was left out.
 struct Fold {
   std::string leftOut;  ///< "pins 2 6 10", "placement2"
-  Misfit misfit;        ///< of the centres from where they should be, by plate, lines and the solution's covariance
+  PinMisfit misfit;     ///< of the centres from where they should be, by plate, lines and the solution's covariance
   double cdMm = 0;      ///< mean of that distance, over arcs of at least kLeastMetricArcDeg
 };
 

@@ -142,15 +142,15 @@ PinRadius radiusOf(const PinPixels& arc, const RangeFinderCalibration& finder, d
   return {};
 }
 
-void Misfit::add(const Point2& differenceMm, const Eigen::Matrix2d& covariance) {
+void PinMisfit::add(const Point2& differenceMm, const Eigen::Matrix2d& covariance) {
   const Eigen::Matrix2d information = covariance.inverse();
   chi2_ += differenceMm.dot(information * differenceMm);
   information_ += information.trace();
   ++count_;
 }
-double Misfit::rmsMm() const { return information_ > 0 ? std::sqrt(chi2_ / information_) : 0; }
-double Misfit::expectedMm() const { return information_ > 0 ? std::sqrt(2 * count_ / information_) : 0; }
-Misfit& Misfit::operator+=(const Misfit& other) {
+double PinMisfit::rmsMm() const { return information_ > 0 ? std::sqrt(chi2_ / information_) : 0; }
+double PinMisfit::expectedMm() const { return information_ > 0 ? std::sqrt(2 * count_ / information_) : 0; }
+PinMisfit& PinMisfit::operator+=(const PinMisfit& other) {
   chi2_ += other.chi2_;
   information_ += other.information_;
   count_ += other.count_;

@@ -39,14 +39,14 @@ struct PinRadius {
 
 /// Differences of places, each by its own uncertainty: a short arc says much about one direction and little about the
 /// other.
-class Misfit {
+class PinMisfit {
  public:
   void add(const Point2& differenceMm, const Eigen::Matrix2d& covariance);
   [[nodiscard]] int count() const { return count_; }
   /// Root mean square, weighted by certainty, mm; and what it should be by the uncertainties.
   [[nodiscard]] double rmsMm() const;
   [[nodiscard]] double expectedMm() const;
-  Misfit& operator+=(const Misfit& other);
+  PinMisfit& operator+=(const PinMisfit& other);
 
  private:
   double chi2_ = 0, information_ = 0;  // of the latter the trace, 1/mm^2

@@ -20,7 +20,7 @@ struct Place {
 };
 
 struct PairSums {
-  Misfit misfit;
+  PinMisfit misfit;
   // By the noise of the points alone, which is new on every pin; what the calibration leaves is common to all.
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   Point2 weighted{0, 0};

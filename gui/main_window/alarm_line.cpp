@@ -16,7 +16,7 @@ AlarmLine::AlarmLine(const Theme& theme, std::function<QDateTime()> clock, QWidg
 }
 
 void AlarmLine::show(const LineSnapshot& line) {
-  std::optional<Alarm> now = highestAlarm(line);
+  std::optional<AlarmSentence> now = highestAlarm(line);
   // The time is that of the cause; a text that only counts up does not start a new alarm.
   if (now && (!alarm_ || alarm_->priority != now->priority)) since_ = clock_();
   alarm_ = std::move(now);

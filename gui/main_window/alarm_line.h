@@ -17,7 +17,7 @@ class AlarmLine : public QWidget {
  public:
   AlarmLine(const Theme& theme, std::function<QDateTime()> clock, QWidget* parent = nullptr);
   void show(const LineSnapshot& line);
-  [[nodiscard]] const std::optional<Alarm>& alarm() const { return alarm_; }
+  [[nodiscard]] const std::optional<AlarmSentence>& alarm() const { return alarm_; }
   [[nodiscard]] const QString& quiet() const { return quiet_; }
 
  protected:
@@ -28,7 +28,7 @@ class AlarmLine : public QWidget {
 
   const Theme& theme_;
   std::function<QDateTime()> clock_;
-  std::optional<Alarm> alarm_;
+  std::optional<AlarmSentence> alarm_;
   QDateTime since_;
   QString quiet_;
 };

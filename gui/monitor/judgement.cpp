@@ -228,28 +228,29 @@ GaugeTrust gaugeTrust(const LineSnapshot& line) {
   return trust;
 }
 
-std::optional<Alarm> highestAlarm(const LineSnapshot& line) {
+std::optional<AlarmSentence> highestAlarm(const LineSnapshot& line) {
   const QString rail = line.rail ? QString::fromStdString(line.rail->rail.id) : QString();
   if (line.state == LineState::Fault)
-    return Alarm{1, QStringLiteral("Measurement ended: %1").arg(QString::fromStdString(line.error)),
-                 QStringLiteral("Hold the rail; start the line again.")};
+    return AlarmSentence{1, QStringLiteral("Measurement ended: %1").arg(QString::fromStdString(line.error)),
+                         QStringLiteral("Hold the rail; start the line again.")};
   if (line.state == LineState::Silent)
-    return Alarm{1, QStringLiteral("No profiles for %1").arg(age(line.ageS)),
-                 QStringLiteral("Hold the rail; check encoder, trigger and cameras.")};
+    return AlarmSentence{1, QStringLiteral("No profiles for %1").arg(age(line.ageS)),
+                         QStringLiteral("Hold the rail; check encoder, trigger and cameras.")};
   if (!line.lostCameras.empty()) {
     const QString cameras = cause(line, {});
     const bool values = unmeasuredWithLimits(line).empty();
-    return Alarm{
+    return AlarmSentence{
         1,
         QString(cameras).replace(0, 1, 'C') +
             (values ? QStringLiteral(": profiles are incomplete") : QStringLiteral(": rails are not fully measured")),
         QStringLiteral("Hold the rail; check power and cable of camera %1.").arg(line.lostCameras.front().camera + 1)};
   }
   if (const auto missing = unmeasuredWithLimits(line); !missing.empty() && line.state == LineState::Measuring)
-    return Alarm{1,
-                 QStringLiteral("%1 not measured: %2")
-                     .arg(inscribed(missing.front().dimension), QString::fromStdString(missing.front().reason)),
-                 QStringLiteral("Hold the rail from %1; check windows and lasers.").arg(metres(missing.front().fromM))};
+    return AlarmSentence{
+        1,
+        QStringLiteral("%1 not measured: %2")
+            .arg(inscribed(missing.front().dimension), QString::fromStdString(missing.front().reason)),
+        QStringLiteral("Hold the rail from %1; check windows and lasers.").arg(metres(missing.front().fromM))};
   if (const auto out = excesses(line); !out.empty()) {
     QStringList names;
     double fromM = out.front().summary->exceptions.front().fromM;
@@ -257,8 +258,8 @@ std::optional<Alarm> highestAlarm(const LineSnapshot& line) {
       names << inscribed(e.summary->dimension);
       fromM = std::min(fromM, e.summary->exceptions.front().fromM);
     }
-    return Alarm{2, QStringLiteral("Rail %1 out of tolerance: %2").arg(rail, joined(names)),
-                 QStringLiteral("Mark the rail from %1; tell the roller.").arg(metres(fromM))};
+    return AlarmSentence{2, QStringLiteral("Rail %1 out of tolerance: %2").arg(rail, joined(names)),
+                         QStringLiteral("Mark the rail from %1; tell the roller.").arg(metres(fromM))};
   }
   if (const GaugeTrust trust = gaugeTrust(line); trust.symbol == StateSymbol::Near) {
     // The commonest reason says where to look.
@@ -269,9 +270,9 @@ std::optional<Alarm> highestAlarm(const LineSnapshot& line) {
         most = n;
         worst = reason;
       }
-    return Alarm{3, QStringLiteral("Profiles are missing: %1").arg(trust.provenance),
-                 worst.empty() ? QStringLiteral("Look at Pipeline (H).")
-                               : QStringLiteral("Most often %1.").arg(QString::fromStdString(worst))};
+    return AlarmSentence{3, QStringLiteral("Profiles are missing: %1").arg(trust.provenance),
+                         worst.empty() ? QStringLiteral("Look at Pipeline (H).")
+                                       : QStringLiteral("Most often %1.").arg(QString::fromStdString(worst))};
   }
   return {};
 }

@@ -36,11 +36,11 @@ struct GaugeTrust {
 [[nodiscard]] GaugeTrust gaugeTrust(const LineSnapshot& line);
 
 /// Cause and action. Priority 1: measurement invalid; 2: rail out of tolerance; 3: degraded.
-struct Alarm {
+struct AlarmSentence {
   int priority = 3;
   QString cause, action;
 };
-[[nodiscard]] std::optional<Alarm> highestAlarm(const LineSnapshot& line);
+[[nodiscard]] std::optional<AlarmSentence> highestAlarm(const LineSnapshot& line);
 /// The grey sentence of the alarm line when there is no alarm.
 [[nodiscard]] QString quietSentence(const LineSnapshot& line);
 

@@ -87,10 +87,10 @@ TEST(PinCentres, APlaceMovesWithTheCamerasParametersAsItsJacobianSays) {
   EXPECT_NEAR((pixelOf(finder, {a.x, a.y}) - px).norm(), 0, 1e-9);
 }
 
-TEST(Misfit, IsWhatIsExpectedForNoise) {
+TEST(PinMisfit, IsWhatIsExpectedForNoise) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
-  Misfit misfit;
+  PinMisfit misfit;
   for (int k = 0; k < 4000; ++k) {
     const double along = 0.005, across = k % 2 == 0 ? 0.05 : 0.3;
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
