@@ -65,7 +65,7 @@ TEST_P(ManyCameras, ChooseTheModelAndErrAsTheySay) {
   for (int draw = 0; draw < kDraws; ++draw) {
     SyntheticSettings settings{.target = chessboard(13, 9, 12), .camera = truth.camera};
     settings.targetErrorMm = truth.targetErrorMm;
-    std::mt19937_64 random(static_cast<unsigned>(1000 + draw));
+    std::mt19937_64 random(std::hash<std::string>{}(truth.what) + static_cast<unsigned>(draw));  // its own views
     IntrinsicsSettings asked;
     asked.openCvReference = false;
     const auto c = calibrateIntrinsics(syntheticViews(settings, random).views, settings.target, asked);
@@ -85,7 +85,7 @@ TEST_P(ManyCameras, ChooseTheModelAndErrAsTheySay) {
   std::printf(" mean (error / u)^2\n");
   EXPECT_GE(right, 95 * kDraws / 100);
   for (const auto& [p, sum] : squares)  // 95 % each, three of them: 99 %
-    EXPECT_NEAR(sum / right, 1, 2.6 * std::sqrt(2.0 / right)) << name(p);
+    EXPECT_NEAR(sum / right, 1, 3.3 * std::sqrt(2.0 / right)) << name(p) << ": beyond chance, of 24 such sums";
 }
 
 }  // namespace
