@@ -75,7 +75,6 @@ int run(QApplication& app, const Options& options) {
   else
     window.showMaximized();
   if (const auto chosen = dimensionFromName(options.chosenDimension)) window.monitor().table().choose(chosen);
-  window.monitor().setPipelineShown(options.pipeline);
   window.showPage(options.page);
   window.startTicking();
 

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "gui/diagnostics/diagnostics_page.h"
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
 #include "gui/main_window/page_bar.h"
@@ -43,12 +44,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
   connect(&theme_, &Theme::changed, this, restyle);
   connect(&header_->themeButton(), &QPushButton::clicked, this, [this] { theme_.setDark(!theme_.dark()); });
   connect(pages_, &PageBar::pageAsked, this, &MainWindow::showPage);
-  connect(pages_, &PageBar::pipelineAsked, this, [this] { monitor_->setPipelineShown(!monitor_->pipelineShown()); });
-  connect(pages_, &PageBar::fullViewAsked, this, [this] { monitor_->setFullView(!monitor_->fullView()); });
-  connect(pages_, &PageBar::runAsked, this, &MainWindow::toggleRun);
-  connect(monitor_, &MonitorPage::pipelineShownChanged, pages_, &PageBar::setPipelineShown);
-  connect(monitor_, &MonitorPage::pipelineShownChanged, this, [this] { tick(PullDetail::Everything); });
-  connect(monitor_, &MonitorPage::fullViewChanged, pages_, &PageBar::setFullView);
+  connect(monitor_, &MonitorPage::runAsked, this, &MainWindow::toggleRun);
   bindKeys();
   monitor_->setFocus();  // no control looks pressed before a key has been
 
@@ -64,6 +60,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 void MainWindow::addPages() {
   monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
+  add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
 }
 
 void MainWindow::add(PageId page, Page* widget) {
@@ -76,7 +73,6 @@ void MainWindow::add(PageId page, Page* widget) {
 void MainWindow::showPage(PageId page) {
   Page* widget = this->page(page);
   if (widget == nullptr) return;
-  if (page == shown_ && page == PageId::Monitor) escape();
   shown_ = page;
   stack_->setCurrentWidget(widget);
   pages_->setShown(page);
@@ -92,12 +88,10 @@ void MainWindow::startTicking() {
 
 void MainWindow::tick(PullDetail detail) {
   const LineSnapshot& line = line_.pull(detail);
-  if (shown_ == PageId::Monitor) monitor_->setWindowHealth({watchdog_.quantileMs(0.99), watchdog_.maxMs()});
   page(shown_)->showLine(line, detail);
   if (detail == PullDetail::Profile) return;
   header_->show(line);
   alarm_->show(line);
-  pages_->setRunning(line_.running());
 }
 
 void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) {
@@ -106,29 +100,8 @@ void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) 
 }
 
 void MainWindow::bindKeys() {
-  const ProfileView views[] = {ProfileView::Whole, ProfileView::Head, ProfileView::Web, ProfileView::Foot};
-  for (int i = 0; i < 4; ++i)
-    bindKey(QKeySequence(Qt::Key_1 + i), [this, view = views[i]] { monitor_->setView(view); });
-  bindKey(Qt::Key_Plus, [this] { monitor_->magnifyMore(); });
-  bindKey(Qt::Key_Equal, [this] { monitor_->magnifyMore(); });  // + without Shift on many keyboards
-  bindKey(Qt::Key_Minus, [this] { monitor_->magnifyLess(); });
-  bindKey(Qt::Key_0, [this] { monitor_->resetMagnification(); });
-  bindKey(Qt::Key_C, [this] { monitor_->setByCamera(!monitor_->byCamera()); });
-  bindKey(Qt::Key_H, [this] { monitor_->setPipelineShown(!monitor_->pipelineShown()); });
-  bindKey(Qt::Key_F11, [this] { monitor_->setFullView(!monitor_->fullView()); });
-  bindKey(Qt::Key_Escape, [this] { escape(); });
   bindKey(Qt::CTRL | Qt::Key_D, [this] { theme_.setDark(!theme_.dark()); });
   bindKey(Qt::CTRL | Qt::Key_R, [this] { toggleRun(); });
-}
-
-// One step back at a time: full view, pipeline, then the chosen dimension.
-void MainWindow::escape() {
-  if (monitor_->fullView())
-    monitor_->setFullView(false);
-  else if (monitor_->pipelineShown())
-    monitor_->setPipelineShown(false);
-  else
-    monitor_->table().choose({});
 }
 
 void MainWindow::toggleRun() {

@@ -52,7 +52,6 @@ class MainWindow : public QMainWindow {
   void bindKeys();
   void bindKey(const QKeySequence& key, std::function<void()> action);
   void toggleRun();
-  void escape();
 
   Workplace& place_;
   Line& line_;

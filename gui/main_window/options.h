@@ -19,7 +19,6 @@ struct Options {
   double afterS = 5;
   std::optional<double> selfTestS;
   std::string chosenDimension;  ///< shown as if its row had been chosen; empty: none
-  bool pipeline = false;        ///< Monitor with the pipeline in place of the drawing
   VirtualLineSettings line;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The bar at the foot: the pages there are, at the left; commands with their keys, at the right.
+// The bar at the foot: a key for each page.
 
 #include <QFrame>
 #include <array>
@@ -19,27 +19,24 @@ class PageBar : public QFrame {
   explicit PageBar(const Theme& theme, QWidget* parent = nullptr);
   void addPage(PageId page);  ///< in the order of their keys
   void setShown(PageId page);
-  void setRunning(bool running);
-  void setPipelineShown(bool shown);
-  void setFullView(bool full);
+  void setAlarms(std::size_t active);  ///< counted on the key of Alarms
+  [[nodiscard]] QPushButton* button(PageId page) const { return pages_[static_cast<std::size_t>(page)]; }
 
  signals:
-  void pageAsked(PageId page);
-  void pipelineAsked();
-  void fullViewAsked();
-  void runAsked();
+  void pageAsked(vignole::PageId page);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QPushButton* add(const QString& key, const QString& word, const QString& icon, void (PageBar::*signal)());
-  void label(QPushButton* button, const QString& key, const QString& word, const QString& icon);
   void relabel();
 
   const Theme& theme_;
-  QHBoxLayout* pageRow_;
+  QHBoxLayout* row_;
   std::array<QPushButton*, kPageCount> pages_{};
   PageId shown_ = PageId::Monitor;
-  QPushButton *pipeline_, *full_, *run_;
-  bool running_ = false;
+  std::size_t alarms_ = 0;
 };
 
 }  // namespace vignole

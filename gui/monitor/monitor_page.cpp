@@ -1,10 +1,12 @@
 #include "gui/monitor/monitor_page.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <algorithm>
 
 #include "gui/monitor/dimension_table.h"
@@ -66,7 +68,6 @@ MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* pare
   drawing->addWidget(toolbar_);
   drawing->addWidget(canvas_, 1);
 
-  pipeline_ = new PipelinePanel(theme, this);
   for (StripChart*& strip : strips_) strip = new StripChart(theme, this);
   verdict_ = new VerdictPanel(theme, this);
   table_ = new DimensionTable(theme, tablePanel_);
@@ -74,14 +75,15 @@ MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* pare
   frame->setContentsMargins(1, 1, 1, 1);
   frame->addWidget(table_);
   lastRails_ = new LastRails(theme, this);
-  QWidget::setTabOrder(byCamera_, table_);
+  QWidget::setTabOrder(byCamera_, full_);
+  QWidget::setTabOrder(full_, run_);
+  QWidget::setTabOrder(run_, table_);
   setFocusPolicy(Qt::ClickFocus);  // a press on no control takes the focus ring off the last one
 
   connect(table_, &DimensionTable::chosenChanged, this, [this] { pointAtDimension(nullptr); });
-  connect(&theme_, &Theme::changed, this, [this] {
-    less_->setIcon(theme_.icon("minus", 20, theme_.palette().t1, devicePixelRatioF()));
-    more_->setIcon(theme_.icon("add", 20, theme_.palette().t1, devicePixelRatioF()));
-  });
+  connect(&theme_, &Theme::changed, this, &MonitorPage::relabel);
+  bindKeys();
+  relabel();
   setMagnification(kStartMagnification);
 }
 
@@ -112,7 +114,6 @@ QWidget* MonitorPage::makeToolbar() {
 
   row->addSpacing(16);
   less_ = new QPushButton(bar);
-  less_->setIcon(theme_.icon("minus", 20, theme_.palette().t1, devicePixelRatioF()));
   less_->setAccessibleName(tr("Magnify deviations less"));
   less_->setToolTip(tr("Magnify deviations less (−)"));
   magnificationLabel_ = new QLabel(bar);
@@ -123,7 +124,6 @@ QWidget* MonitorPage::makeToolbar() {
   magnificationLabel_->setFixedWidth(64);
   magnificationLabel_->setToolTip(tr("Deviations are drawn so many times larger (0: back to 20)"));
   more_ = new QPushButton(bar);
-  more_->setIcon(theme_.icon("add", 20, theme_.palette().t1, devicePixelRatioF()));
   more_->setAccessibleName(tr("Magnify deviations more"));
   more_->setToolTip(tr("Magnify deviations more (+)"));
   for (QWidget* w : std::initializer_list<QWidget*>{less_, magnificationLabel_, more_}) row->addWidget(w);
@@ -144,6 +144,21 @@ QWidget* MonitorPage::makeToolbar() {
   connect(byCamera_, &QPushButton::toggled, this, [this](bool on) { canvas_->setByCamera(on); });
   row->addWidget(byCamera_);
   row->addStretch(1);
+  row->addSpacing(8);
+  full_ = new QPushButton(bar);
+  full_->setCheckable(true);
+  full_->setFixedWidth(52);
+  full_->setIconSize({20, 20});
+  full_->setAccessibleName(tr("Drawing in full view"));
+  full_->setToolTip(tr("Drawing in full view (F11)"));
+  connect(full_, &QPushButton::clicked, this, [this] { setFullView(!fullView_); });
+  run_ = new QPushButton(bar);
+  run_->setFont(uiFont(16, 500));
+  run_->setIconSize({20, 20});
+  connect(run_, &QPushButton::clicked, this, &MonitorPage::runAsked);
+  row->addWidget(full_);
+  row->addSpacing(8);
+  row->addWidget(run_);
   return bar;
 }
 
@@ -162,7 +177,7 @@ void MonitorPage::showFigures(const LineSnapshot& line) {
   lastRails_->show(line);
   showStrips(line);
   pointAtDimension(&line);
-  if (pipelineShown_) pipeline_->show(line, window_);
+  setRunning(line.state != LineState::Idle && line.state != LineState::Stopped && line.state != LineState::Fault);
 }
 
 void MonitorPage::showStrips(const LineSnapshot& line) {
@@ -216,16 +231,55 @@ bool MonitorPage::byCamera() const { return byCamera_->isChecked(); }
 void MonitorPage::setFullView(bool full) {
   if (full == fullView_) return;
   fullView_ = full;
+  full_->setChecked(full);
   layOut();
-  emit fullViewChanged(full);
 }
 
-void MonitorPage::setPipelineShown(bool shown) {
-  if (shown == pipelineShown_) return;
-  pipelineShown_ = shown;
-  if (shown) setFullView(false);
-  layOut();
-  emit pipelineShownChanged(shown);
+void MonitorPage::setRunning(bool running) {
+  if (running == running_) return;
+  running_ = running;
+  relabel();
+}
+
+void MonitorPage::relabel() {
+  const QString run = running_ ? tr("Stop line") : tr("Start line");
+  run_->setText(run);
+  run_->setAccessibleName(run);
+  run_->setToolTip(tr("%1 (Ctrl+R)").arg(run));
+  const QColor ink = theme_.palette().t1;
+  run_->setIcon(theme_.icon(running_ ? QStringLiteral("pause") : QStringLiteral("play"), 20, ink, devicePixelRatioF()));
+  full_->setIcon(theme_.icon(QStringLiteral("fit"), 20, ink, devicePixelRatioF()));
+  less_->setIcon(theme_.icon(QStringLiteral("minus"), 20, ink, devicePixelRatioF()));
+  more_->setIcon(theme_.icon(QStringLiteral("add"), 20, ink, devicePixelRatioF()));
+}
+
+void MonitorPage::back() {
+  if (fullView_)
+    setFullView(false);
+  else
+    table_->choose({});
+}
+
+void MonitorPage::bindKeys() {
+  const auto bind = [this](const QKeySequence& key, auto action) {
+    auto* shortcut = new QShortcut(key, this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, action);
+  };
+  const ProfileView views[] = {ProfileView::Whole, ProfileView::Head, ProfileView::Web, ProfileView::Foot};
+  for (int i = 0; i < 4; ++i) bind(QKeySequence(Qt::Key_1 + i), [this, view = views[i]] { setView(view); });
+  bind(Qt::Key_Plus, [this] { magnifyMore(); });
+  bind(Qt::Key_Equal, [this] { magnifyMore(); });  // + without Shift on many keyboards
+  bind(Qt::Key_Minus, [this] { magnifyLess(); });
+  bind(Qt::Key_0, [this] { resetMagnification(); });
+  bind(Qt::Key_C, [this] { setByCamera(!byCamera()); });
+  bind(Qt::Key_F11, [this] { setFullView(!fullView_); });
+  bind(Qt::Key_Escape, [this] { back(); });
+}
+
+void MonitorPage::changeEvent(QEvent* event) {
+  Page::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) relabel();
 }
 
 void MonitorPage::resizeEvent(QResizeEvent* /*event*/) { layOut(); }
@@ -238,8 +292,6 @@ void MonitorPage::layOut() {
   const QRect area = rect().adjusted(gap, gap, -gap, -gap);
   for (QWidget* w : std::initializer_list<QWidget*>{verdict_, tablePanel_, lastRails_, strips_[0], strips_[1]})
     w->setVisible(!fullView_);
-  drawingPanel_->setVisible(fullView_ || !pipelineShown_);
-  pipeline_->setVisible(!fullView_ && pipelineShown_);
   if (fullView_) {
     drawingPanel_->setGeometry(area);
     return;
@@ -252,7 +304,6 @@ void MonitorPage::layOut() {
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
   for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 64 : 84);
   drawingPanel_->setGeometry(hero);
-  pipeline_->setGeometry(hero);
   int y = hero.bottom() + 1 + gap;
   for (StripChart* s : strips_) {
     s->setGeometry(area.left(), y, leftWidth, strip);

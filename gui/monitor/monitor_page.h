@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gui/main_window/page.h"
-#include "gui/monitor/pipeline_panel.h"
 #include "gui/theme/theme.h"
 #include "report/profile_drawing.h"
 
@@ -34,7 +33,6 @@ class MonitorPage : public Page {
   MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent = nullptr);
 
   void showLine(const LineSnapshot& line, PullDetail detail) override;
-  void setWindowHealth(const WindowHealth& window) { window_ = window; }
 
   /// The drawing; on every display tick.
   void showProfile(const LineSnapshot& line);
@@ -48,25 +46,27 @@ class MonitorPage : public Page {
   void resetMagnification();
   void setByCamera(bool byCamera);
   void setFullView(bool full);
-  void setPipelineShown(bool shown);
+  void setRunning(bool running);  ///< names the button that starts or stops the line
 
   [[nodiscard]] double magnification() const { return magnification_; }
   [[nodiscard]] bool byCamera() const;
   [[nodiscard]] bool fullView() const { return fullView_; }
-  [[nodiscard]] bool pipelineShown() const { return pipelineShown_; }
   [[nodiscard]] DimensionTable& table() { return *table_; }
   [[nodiscard]] ProfileCanvas& canvas() { return *canvas_; }
   [[nodiscard]] VerdictPanel& verdict() { return *verdict_; }
 
  signals:
-  void fullViewChanged(bool full);
-  void pipelineShownChanged(bool shown);
+  void runAsked();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeToolbar();
+  void bindKeys();
+  void back();  ///< one step: full view, then the chosen dimension
+  void relabel();
   void layOut();
   void showStrips(const LineSnapshot& line);
   void pointAtDimension(const LineSnapshot* line);
@@ -76,10 +76,9 @@ class MonitorPage : public Page {
   QFrame* tablePanel_;
   QWidget* toolbar_;
   QButtonGroup* views_;
-  QPushButton *less_, *more_, *byCamera_;
+  QPushButton *less_, *more_, *byCamera_, *full_, *run_;
   QLabel* magnificationLabel_;
   ProfileCanvas* canvas_;
-  PipelinePanel* pipeline_;
   std::array<StripChart*, 2> strips_;
   VerdictPanel* verdict_;
   DimensionTable* table_;
@@ -87,8 +86,7 @@ class MonitorPage : public Page {
   std::vector<Dimension> stripDimensions_;
   std::optional<Dimension> worst_;
   double magnification_ = 20;
-  WindowHealth window_{};
-  bool fullView_ = false, pipelineShown_ = false;
+  bool fullView_ = false, running_ = false;
 };
 
 }  // namespace vignole

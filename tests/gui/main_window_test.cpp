@@ -99,7 +99,7 @@ TEST_F(MainWindowTest, CColoursByCamera) {
   EXPECT_FALSE(drawing().byCamera);
 }
 
-TEST_F(MainWindowTest, FullViewAndPipelineAndTheWayBack) {
+TEST_F(MainWindowTest, FullViewAndTheWayBack) {
   key(Qt::Key_F11);
   EXPECT_TRUE(window->monitor().fullView());
   EXPECT_FALSE(window->monitor().table().isVisible());
@@ -108,14 +108,6 @@ TEST_F(MainWindowTest, FullViewAndPipelineAndTheWayBack) {
   key(Qt::Key_Escape);
   EXPECT_FALSE(window->monitor().fullView());
   EXPECT_TRUE(window->monitor().table().isVisible());
-
-  key(Qt::Key_H);
-  EXPECT_TRUE(window->monitor().pipelineShown());
-  EXPECT_FALSE(window->monitor().canvas().isVisible());
-  EXPECT_TRUE(window->monitor().table().isVisible()) << "the values stay in sight";
-  key(Qt::Key_F1);
-  EXPECT_FALSE(window->monitor().pipelineShown());
-  EXPECT_TRUE(window->monitor().canvas().isVisible());
 }
 
 TEST_F(MainWindowTest, AChosenRowIsDrawnAndChartedAndEscapeLetsGo) {
@@ -215,8 +207,11 @@ TEST_P(WindowSize, NothingIsClipped) {
     show(snapshot);
     expectUnclipped(*window);
   }
-  key(Qt::Key_H);
-  expectUnclipped(*window);
+  for (int i = 0; i < kPageCount; ++i) {
+    window->showPage(static_cast<PageId>(i));
+    expectUnclipped(*window);
+  }
+  window->showPage(PageId::Monitor);
   key(Qt::Key_F11);
   expectUnclipped(*window);
 }

@@ -1,4 +1,4 @@
-#include "gui/monitor/pipeline_panel.h"
+#include "gui/diagnostics/pipeline_panel.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
