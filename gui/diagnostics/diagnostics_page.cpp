@@ -129,7 +129,7 @@ void DiagnosticsPage::retranslate() {
 void DiagnosticsPage::showLine(const LineSnapshot& line, PullDetail detail) {
   if (detail != PullDetail::Everything) return;
   last_ = line;
-  pipeline_->show(line, {watchdog_.quantileMs(0.99), watchdog_.maxMs()});
+  pipeline_->show(line);
   pipelinePanel_->setNote(line.held() ? tr("held, %1 old").arg(age(line.ageS))
                                       : tr("%1 profiles/s of %2 expected")
                                             .arg(locale().toString(line.profilesPerS, 'f', 1),
@@ -196,6 +196,7 @@ void DiagnosticsPage::showCameras(const LineSnapshot& line) {
     mark(*cameras_, c, lost ? StateSymbol::NotMeasured : missing > 0 ? StateSymbol::Near : StateSymbol::Good, p);
   }
   if (due) framesSince_ = now;
+  cameras_->setColumnWidth(0, cameras_->viewport()->width() * 40 / 100);
   cameraNote_->setText(line.simulation ? tr("Rendered cameras: no packets to be sent again, no temperature.")
                                        : QString());
 }
@@ -251,8 +252,8 @@ void DiagnosticsPage::showComputer() {
     computer_->item(i, 2)->setToolTip(row.note);
     mark(*computer_, i, row.symbol, p);
   }
-  computer_->setColumnWidth(0, 140);
-  computer_->setColumnWidth(1, 200);
+  computer_->setColumnWidth(0, computer_->viewport()->width() * 26 / 100);
+  computer_->setColumnWidth(1, computer_->viewport()->width() * 37 / 100);
 }
 
 QByteArray DiagnosticsPage::supportText() const {

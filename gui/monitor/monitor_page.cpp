@@ -112,7 +112,7 @@ QWidget* MonitorPage::makeToolbar() {
   views_->button(0)->setChecked(true);
   connect(views_, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<ProfileView>(id)); });
 
-  row->addSpacing(16);
+  row->addSpacing(8);
   less_ = new QPushButton(bar);
   less_->setAccessibleName(tr("Magnify deviations less"));
   less_->setToolTip(tr("Magnify deviations less (−)"));
@@ -129,13 +129,13 @@ QWidget* MonitorPage::makeToolbar() {
   for (QWidget* w : std::initializer_list<QWidget*>{less_, magnificationLabel_, more_}) row->addWidget(w);
   for (QPushButton* b : {less_, more_}) {
     b->setObjectName(QStringLiteral("segment"));
-    b->setFixedWidth(48);
+    b->setFixedWidth(44);
     b->setIconSize({20, 20});
   }
   connect(less_, &QPushButton::clicked, this, &MonitorPage::magnifyLess);
   connect(more_, &QPushButton::clicked, this, &MonitorPage::magnifyMore);
 
-  row->addSpacing(16);
+  row->addSpacing(8);
   byCamera_ = new QPushButton(tr("By camera"), bar);
   byCamera_->setCheckable(true);
   byCamera_->setFont(uiFont(16, 500));
@@ -144,7 +144,6 @@ QWidget* MonitorPage::makeToolbar() {
   connect(byCamera_, &QPushButton::toggled, this, [this](bool on) { canvas_->setByCamera(on); });
   row->addWidget(byCamera_);
   row->addStretch(1);
-  row->addSpacing(8);
   full_ = new QPushButton(bar);
   full_->setCheckable(true);
   full_->setFixedWidth(52);
@@ -153,11 +152,11 @@ QWidget* MonitorPage::makeToolbar() {
   full_->setToolTip(tr("Drawing in full view (F11)"));
   connect(full_, &QPushButton::clicked, this, [this] { setFullView(!fullView_); });
   run_ = new QPushButton(bar);
+  run_->setMinimumWidth(132);
   run_->setFont(uiFont(16, 500));
   run_->setIconSize({20, 20});
   connect(run_, &QPushButton::clicked, this, &MonitorPage::runAsked);
   row->addWidget(full_);
-  row->addSpacing(8);
   row->addWidget(run_);
   return bar;
 }
@@ -243,11 +242,13 @@ void MonitorPage::setRunning(bool running) {
 
 void MonitorPage::relabel() {
   const QString run = running_ ? tr("Stop line") : tr("Start line");
-  run_->setText(run);
+  run_->setText(compact_ ? QString() : run);
+  byCamera_->setText(compact_ ? QString() : tr("By camera"));
   run_->setAccessibleName(run);
   run_->setToolTip(tr("%1 (Ctrl+R)").arg(run));
   const QColor ink = theme_.palette().t1;
   run_->setIcon(theme_.icon(running_ ? QStringLiteral("pause") : QStringLiteral("play"), 20, ink, devicePixelRatioF()));
+  byCamera_->setIcon(compact_ ? QIcon(theme_.icon(QStringLiteral("camera"), 20, ink, devicePixelRatioF())) : QIcon());
   full_->setIcon(theme_.icon(QStringLiteral("fit"), 20, ink, devicePixelRatioF()));
   less_->setIcon(theme_.icon(QStringLiteral("minus"), 20, ink, devicePixelRatioF()));
   more_->setIcon(theme_.icon(QStringLiteral("add"), 20, ink, devicePixelRatioF()));
@@ -302,7 +303,15 @@ void MonitorPage::layOut() {
   strips_[1]->setVisible(twoStrips);
   const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
-  for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 64 : 84);
+  for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84);
+  if (const bool compact = leftWidth < 900; compact != compact_) {
+    compact_ = compact;
+    for (QPushButton* b : {byCamera_, run_}) {
+      b->setMinimumWidth(compact ? 52 : 132);  // its word changes
+      b->setMaximumWidth(compact ? 52 : QWIDGETSIZE_MAX);
+    }
+    relabel();
+  }
   drawingPanel_->setGeometry(hero);
   int y = hero.bottom() + 1 + gap;
   for (StripChart* s : strips_) {

@@ -87,6 +87,7 @@ class MonitorPage : public Page {
   std::optional<Dimension> worst_;
   double magnification_ = 20;
   bool fullView_ = false, running_ = false;
+  bool compact_ = false;  ///< buttons of the toolbar without words
 };
 
 }  // namespace vignole

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QTableView>
 
@@ -10,10 +11,37 @@
 
 namespace vignole {
 
+namespace {
+
+/// Gives way: ends with an ellipsis where there is no room.
+class NoteLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+  [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    painter.setFont(font());
+    painter.setPen(palette().color(foregroundRole()));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
+
+QLabel* makeNote(QWidget* parent) {
+  auto* label = new NoteLabel(parent);
+  label->setFont(uiFont(15));
+  label->setProperty("ink", QStringLiteral("t2"));
+  return label;
+}
+
+}  // namespace
+
 Panel::Panel(QWidget* parent)
     : QFrame(parent),
       title_(makeLabel(18, 500, "t1", this)),
-      note_(makeLabel(15, 400, "t2", this)),
+      note_(makeNote(this)),
       head_(new QHBoxLayout),
       content_(new QVBoxLayout) {
   setObjectName(QStringLiteral("panel"));
