@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QSaveFile>
+#include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
@@ -57,6 +58,42 @@ void provideRuntimeDirectory() {
     qputenv("XDG_RUNTIME_DIR", folder.toLocal8Bit());
 }
 
+/// Rails are kept where a person sits, or where it is asked for; pictures and self-tests leave nothing behind.
+struct Records {
+  std::optional<Archive> archive;
+  std::unique_ptr<RailWriter> writer;
+  std::string url, problem;
+};
+
+Records openRecords(const Options& options, bool unattended) {
+  Records records;
+  records.url = options.archive;
+  if (records.url.empty()) {
+    if (unattended) {
+      records.problem = "no archive was asked for (--archive)";
+      return records;
+    }
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    QDir().mkpath(folder);
+    records.url = (folder + QStringLiteral("/rails.db")).toStdString();
+  }
+  RailWriterSettings settings;
+  settings.place.source = "virtual";
+  settings.place.program = VIGNOLE_VERSION;
+  auto writer = RailWriter::open(records.url, settings);
+  if (!writer) {
+    records.problem = writer.error().message();
+  } else {
+    records.writer = *std::move(writer);
+  }
+  auto archive = Archive::open(records.url);
+  if (archive)
+    records.archive = std::move(*archive);
+  else
+    records.problem = archive.error().message();
+  return records;
+}
+
 int run(QApplication& app, const Options& options) {
   if (auto fonts = installFonts(); !fonts) return fail(fonts.error());
   auto line = VirtualLine::create(options.line);
@@ -64,7 +101,13 @@ int run(QApplication& app, const Options& options) {
   Theme theme(options.dark);
   Session session;
   Units units;
+  Records records = openRecords(options, !options.screenshot.empty() || options.selfTestS);
+  (*line)->record(records.writer.get());
   Workplace place{theme, **line, session, units};
+  place.archive = records.archive ? &*records.archive : nullptr;
+  place.archiveUrl = records.url;
+  place.archiveProblem = records.problem;
+  place.writer = records.writer.get();
   MainWindow window(place);
   window.resize(options.size);
   ProcessUse begin = processUse();
@@ -97,7 +140,9 @@ int run(QApplication& app, const Options& options) {
     });
   }
   const int code = QApplication::exec();
-  (*line)->stop();
+  line->reset();  // joins its threads before the writer goes
+  if (records.writer)
+    if (auto closed = records.writer->close(); !closed) return fail(closed.error());
   return code != 0 ? code : exitCode;
 }
 

@@ -101,8 +101,9 @@ Expected<Recipe> makeRecipe(std::string_view section, std::string_view profileCl
   return recipe;
 }
 
-Expected<Recipe> loadRecipe(const fs::path& path) {
-  auto file = TomlReader::load(path);
+namespace {
+
+Expected<Recipe> readRecipe(Expected<TomlReader> file, const fs::path& path) {
   if (!file) return tl::unexpected(file.error());
   const std::string section = file->text("section");
   const std::string profileClass = file->text("profile_class", "X");
@@ -134,6 +135,14 @@ Expected<Recipe> loadRecipe(const fs::path& path) {
     return tl::unexpected(file->finish().error());
   }
   return recipe;
+}
+
+}  // namespace
+
+Expected<Recipe> loadRecipe(const fs::path& path) { return readRecipe(TomlReader::load(path), path); }
+
+Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors) {
+  return readRecipe(TomlReader::parse(text, nameInErrors), {});
 }
 
 std::vector<std::string> recipeNames() {

@@ -40,6 +40,8 @@ struct Recipe {
 /// Refuses unknown keys, swapped limits, values out of range, parameters off their primitive: file, line, key,
 /// reason, remedy.
 [[nodiscard]] Expected<Recipe> loadRecipe(const std::filesystem::path& file);
+/// The same from a text; section files must be named by absolute paths, as toToml() does.
+[[nodiscard]] Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors);
 /// A path, or a name of resources/recipes, or "SECTION" / "SECTION CLASS/CLASS" ("60E1", "60E1 X/A").
 [[nodiscard]] Expected<Recipe> findRecipe(std::string_view nameOrFile);
 /// Names of resources/recipes, sorted.

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "gui/bridge/rail_recorder.h"
 #include "gui/bridge/rail_watch.h"
 
 namespace vignole {
@@ -18,6 +19,7 @@ struct VirtualLine::Impl {
   // The inspection uses source and watch: it is declared last and goes first.
   std::unique_ptr<FrameSource> source;
   std::unique_ptr<Inspection> inspection;
+  RailWriter* writer = nullptr;
   std::uint64_t starts = 0;
   bool stopAsked = false;
   LineSnapshot snapshot;
@@ -66,9 +68,16 @@ void VirtualLine::start() {
   i.watch.restart();
   i.stopAsked = false;
   ++i.starts;
-  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), i.watch.observer());
+  InspectionObserver observer = i.watch.observer();
+  if (i.writer != nullptr) {
+    auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, i.rig->calibration()});
+    observer = recorded(std::move(observer), *i.writer, std::move(setup), {}, [&i] { return i.inspection->stages(); });
+  }
+  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), std::move(observer));
   i.inspection->start();
 }
+
+void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
 
 void VirtualLine::stop() {
   impl_->stopAsked = true;

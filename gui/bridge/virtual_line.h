@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/archive/rail_writer.h"
 #include "engine/geometry/expected.h"
 #include "engine/simulator/virtual_rig.h"
 #include "gui/bridge/line.h"
@@ -20,6 +21,9 @@ class VirtualLine : public Line {
   /// Builds the rig; the error tells what it refuses.
   [[nodiscard]] static Expected<std::unique_ptr<VirtualLine>> create(const VirtualLineSettings& settings);
   ~VirtualLine() override;  ///< stops and joins
+
+  /// What is measured from the next start on is kept by the writer, which outlives the line; null: by none.
+  void record(RailWriter* writer);
 
   void start() override;
   void stop() override;

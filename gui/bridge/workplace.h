@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/archive/archive.h"
+#include "engine/archive/rail_writer.h"
 #include "gui/bridge/line.h"
 #include "gui/bridge/session.h"
 #include "gui/bridge/units.h"
@@ -17,7 +18,9 @@ struct Workplace {
   Session& session;
   Units& units;
   Archive* archive = nullptr;       ///< null: there is none at the moment
+  std::string archiveUrl = {};      ///< of `archive`, for whoever opens a connection of its own
   std::string archiveProblem = {};  ///< why: one line
+  RailWriter* writer = nullptr;     ///< keeps what the line measures; null: nobody does
 };
 
 }  // namespace vignole

@@ -12,6 +12,7 @@
 #include "gui/main_window/page_bar.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
+#include "gui/rails/rails_page.h"
 
 namespace vignole {
 
@@ -60,6 +61,9 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 void MainWindow::addPages() {
   monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
+  auto* rails = new RailsPage(place_, stack_);
+  connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
+  add(PageId::Rails, rails);
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
 }
 

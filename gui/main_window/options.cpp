@@ -69,6 +69,7 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
   std::uint64_t rigSeed = 0;
   app.add_option("--page", raw.page,
                  "monitor, stripes, charts, rails, calibration, recipes, quality, alarms, diagnostics or settings");
+  app.add_option("--archive", options.archive, "FILE or URL of the archive (default: in the user's own data)");
   app.add_option("--theme", raw.theme, "light or dark");
   app.add_option("--recipe", raw.recipe, "name or file of the recipe (default 60E1)");
   app.add_option("--seed", rig.seed, "of the virtual rail (default 1)");

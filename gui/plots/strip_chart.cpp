@@ -28,6 +28,7 @@ StripChart::StripChart(const Theme& theme, QWidget* parent)
     : QWidget(parent), theme_(theme), plot_(new QCustomPlot(this)) {
   setFocusPolicy(Qt::NoFocus);
   plot_->setFocusPolicy(Qt::NoFocus);
+  plot_->setMinimumSize(48, 48);  // it paints without regard to whether it has any size
   plot_->setInteractions(QCP::iNone);
   plot_->axisRect()->setAutoMargins(QCP::msNone);
   plot_->axisRect()->setMargins(QMargins(6, 0, 26, 22));

@@ -48,6 +48,7 @@ Panel::Panel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 10, 16, 12);
   column->setSpacing(8);
+  title_->hide();
   head_->setSpacing(8);
   head_->addWidget(title_);
   head_->addWidget(note_);
@@ -59,6 +60,7 @@ Panel::Panel(QWidget* parent)
 
 void Panel::setTitle(const QString& title) {
   title_->setText(title);
+  title_->setVisible(!title.isEmpty());
   setAccessibleName(title);
 }
 void Panel::setNote(const QString& note) { note_->setText(note); }
@@ -85,7 +87,7 @@ void styleTable(QTableView& table) {
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // columns share what there is
   table.setTabKeyNavigation(false);
   table.setWordWrap(false);
   table.verticalHeader()->hide();

@@ -38,6 +38,7 @@ QString Theme::styleSheet() const {
     QLabel { background: transparent; color: @t1; }
     QToolTip { background: @panel2; color: @t1; border: 1px solid @line; padding: 6px; }
     QFrame#panel { background: @panel; border: 1px solid @line; border-radius: 4px; }
+    QFrame#banner { background: @accsoft; border: 2px solid @accent; border-radius: 4px; }
     QFrame#plotPanel { background: @panel2; border: 1px solid @line; border-radius: 4px; }
     QPushButton { background: @panel2; color: @t1; border: 1px solid @line; border-radius: 3px; padding: 1px 13px;
                   min-height: 40px; }

@@ -114,7 +114,7 @@ TEST_F(MainWindowTest, AChosenRowIsDrawnAndChartedAndEscapeLetsGo) {
   window->monitor().table().choose(Dimension::HW);
   window->tick(PullDetail::Everything);
   EXPECT_EQ(drawing().selected, Dimension::HW);
-  const auto strips = window->findChildren<StripChart*>();
+  const auto strips = window->monitor().findChildren<StripChart*>();
   ASSERT_EQ(strips.size(), 2);
   EXPECT_EQ(strips[0]->series().name, QStringLiteral("HW"));
   EXPECT_NE(strips[1]->series().name, QStringLiteral("HW"));

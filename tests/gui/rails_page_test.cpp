@@ -1,0 +1,174 @@
+// Rails: found, replayed, reported, from an archive on disk.
+
+#include "gui/rails/rails_page.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "engine/archive/generated_rails.h"
+#include "gui/bridge/virtual_line.h"
+#include "tests/gui/made_line.h"
+
+namespace vignole {
+namespace {
+
+using namespace vignole::test;
+
+class RailsPageTest : public ::testing::Test {
+ protected:
+  QTemporaryDir folder;
+  FakeLine line;
+  Theme theme;
+  Session session;
+  Units units;
+  Workplace place{theme, line, session, units};
+  std::optional<Archive> archive;
+  std::unique_ptr<RailsPage> page;
+
+  void SetUp() override {
+    place.archiveUrl = folder.filePath(QStringLiteral("rails.db")).toStdString();
+    GeneratedRails rails;
+    rails.rails = 12;
+    rails.lengthM = 6;
+    rails.failingShare = 0.5;
+    rails.points = {true, 10, 0, PointCoding::Compact};
+    ASSERT_TRUE(generateRails(place.archiveUrl, recipe(), rails));
+    auto opened = Archive::open(place.archiveUrl);
+    ASSERT_TRUE(opened);
+    archive = std::move(*opened);
+    place.archive = &*archive;
+  }
+  void show() {
+    page = std::make_unique<RailsPage>(place);
+    page->resize(1888, 880);
+    page->show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() == 12 && page->opened() != nullptr; }, 10000));
+  }
+  void choose(const char* accessibleName, int index) {
+    for (QComboBox* box : page->findChildren<QComboBox*>())
+      if (box->accessibleName() == QLatin1String(accessibleName)) box->setCurrentIndex(index);
+  }
+  /// A rail with an exception, open.
+  void openRejected() {
+    choose("Verdict", 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() < 12; }, 10000));
+    ASSERT_FALSE(page->found().empty());
+    const std::int64_t key = page->found().front().key;
+    QSignalSpy shown(page.get(), &RailsPage::profileChanged);
+    page->openRail(key);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page->opened()->stored.key == key && shown.count() > 0; }, 10000));
+  }
+};
+
+TEST_F(RailsPageTest, ShowsTheNewestRailAndFindsByVerdictDimensionAndId) {
+  show();
+  EXPECT_EQ(page->opened()->stored.key, page->found().front().key);
+  choose("Verdict", 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() < 12; }, 10000));
+  for (const RailLine& rail : page->found()) EXPECT_EQ(rail.verdict, Verdict::Fail);
+  const std::size_t rejected = page->found().size();
+  ASSERT_GT(rejected, 0U);
+  const RailLine one = page->found().front();
+  ASSERT_TRUE(one.worst);
+  choose("Dimension out of tolerance", static_cast<int>(*one.worst) + 1);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return page->found().size() < rejected &&
+               std::all_of(page->found().begin(), page->found().end(),
+                           [&](const RailLine& rail) { return rail.worst == one.worst; });
+      },
+      10000));
+  EXPECT_FALSE(page->found().empty());
+  choose("Verdict", 0);
+  choose("Dimension out of tolerance", 0);
+  page->searchField().setText(QString::fromStdString(one.id));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() == 1; }, 10000));
+  EXPECT_EQ(page->found().front().id, one.id);
+  page->searchField().setText(QStringLiteral("no such rail"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().empty(); }, 10000));
+}
+
+TEST_F(RailsPageTest, ReplaysAlongTheRailByKeysAndFromExceptionToException) {
+  show();
+  openRejected();
+  const std::uint64_t last = page->opened()->stored.summary.profiles - 1;
+  const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QSignalSpy shown(page.get(), &RailsPage::profileChanged);
+    QTest::keyClick(page.get(), key, modifiers);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shown.count() > 0; }, 10000)) << key;
+  };
+  page->setFocus();
+  EXPECT_EQ(page->profile(), 0U);
+  press(Qt::Key_Right);
+  EXPECT_EQ(page->profile(), 1U);
+  press(Qt::Key_End);
+  EXPECT_EQ(page->profile(), last);
+  press(Qt::Key_Home);
+  EXPECT_EQ(page->profile(), 0U);
+  press(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_NEAR(static_cast<double>(page->profile()), 1000.0 / 15, 2) << "a metre";
+  press(Qt::Key_Home);
+  press(Qt::Key_N);
+  const double at = static_cast<double>(page->profile()) * 0.015;
+  bool inside = false;
+  for (const DimensionSummary& d : page->opened()->stored.summary.dimensions)
+    for (const DimensionException& e : d.exceptions) inside = inside || (at > e.fromM - 0.02 && at < e.toM + 0.02);
+  EXPECT_TRUE(inside) << at;
+}
+
+TEST_F(RailsPageTest, TheWayBackLeadsToTheLiveRail) {
+  show();
+  QSignalSpy live(page.get(), &RailsPage::liveAsked);
+  for (QPushButton* button : page->findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Back to live")) QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(live.count(), 1);
+}
+
+TEST(RailsWithoutAnArchive, SayWhyAndWhatToDo) {
+  FakeLine line;
+  Theme theme;
+  Session session;
+  Units units;
+  Workplace place{theme, line, session, units};
+  RailsPage page(place);
+  QSignalSpy changed(&page, &RailsPage::listChanged);
+  page.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return changed.count() > 0; }, 10000));
+  EXPECT_TRUE(page.found().empty());
+}
+
+TEST(RailRecorder, WhatTheLineMeasuresIsInTheArchive) {
+  const QTemporaryDir folder;
+  const std::string url = folder.filePath(QStringLiteral("live.db")).toStdString();
+  auto writer = RailWriter::open(url, {});
+  ASSERT_TRUE(writer);
+  VirtualLineSettings settings;
+  settings.recipe = *findRecipe("60E1");
+  settings.rig.section = settings.recipe.section;
+  settings.rig.parameters = settings.recipe.parameters;
+  settings.railLengthMm = 300;
+  auto line = VirtualLine::create(settings);
+  ASSERT_TRUE(line);
+  (*line)->record(writer->get());
+  (*line)->start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).railsPassed >= 2; }, 30000));
+  (*line)->stop();
+  line->reset();
+  ASSERT_TRUE((*writer)->close());
+  const auto archive = Archive::open(url);
+  ASSERT_TRUE(archive);
+  const auto rails = RailArchive(*archive).search({});
+  ASSERT_TRUE(rails);
+  ASSERT_GE(rails->size(), 2U);
+  EXPECT_EQ(rails->back().profiles, 20U);
+  EXPECT_EQ(rails->back().state, RailState::Finished);
+}
+
+}  // namespace
+}  // namespace vignole
