@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "gui/alarms/alarm_symbol.h"
 #include "gui/theme/inscription.h"
 #include "report/state_symbol.h"
 
@@ -28,33 +29,6 @@ void AlarmLine::show(const LineSnapshot& line) {
   update();
 }
 
-// The shapes of the states, filled, with the priority inside: 1 diamond, 2 square, 3 triangle.
-void AlarmLine::paintPriority(QPainter& painter, const QRectF& box) const {
-  const Palette& p = theme_.palette();
-  const QPointF c = box.center();
-  const double r = box.width() / 2;
-  QPolygonF shape;
-  QColor fill, ink;
-  double lower = 0;
-  if (alarm_->priority == 1) {
-    shape << c - QPointF(0, r) << c + QPointF(r, 0) << c + QPointF(0, r) << c - QPointF(r, 0);
-    fill = p.invalid, ink = p.panel2;
-  } else if (alarm_->priority == 2) {
-    shape << box.topLeft() << box.topRight() << box.bottomRight() << box.bottomLeft();
-    fill = p.out, ink = p.onOut;
-  } else {
-    shape << c + QPointF(-r, r * 0.85) << c + QPointF(r, r * 0.85) << c - QPointF(0, r * 0.95);
-    fill = p.near, ink = p.onNear;
-    lower = 0.25 * r;
-  }
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(fill);
-  painter.drawPolygon(shape);
-  painter.setPen(ink);
-  painter.setFont(uiFont(15, 700));
-  painter.drawText(box.translated(0, lower), Qt::AlignCenter, QString::number(alarm_->priority));
-}
-
 void AlarmLine::paintEvent(QPaintEvent* /*event*/) {
   const Palette& p = theme_.palette();
   QPainter painter(this);
@@ -73,7 +47,7 @@ void AlarmLine::paintEvent(QPaintEvent* /*event*/) {
   const QColor strong = alarm_->priority == 1 ? p.invalid : alarm_->priority == 2 ? p.out : p.near;
   painter.fillRect(rect(), soft);
   painter.fillRect(QRectF(0, 0, 8, height()), strong);
-  paintPriority(painter, QRectF(24, height() / 2.0 - 12, 24, 24));
+  paintPriority(painter, QRectF(24, height() / 2.0 - 12, 24, 24), static_cast<AlarmPriority>(alarm_->priority), p);
   painter.setPen(p.t2);
   painter.setFont(uiFont(18));
   const QString time = since_.toString(QStringLiteral("HH:mm:ss"));

@@ -24,8 +24,6 @@ class AlarmLine : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintPriority(QPainter& painter, const QRectF& box) const;
-
   const Theme& theme_;
   std::function<QDateTime()> clock_;
   std::optional<AlarmSentence> alarm_;

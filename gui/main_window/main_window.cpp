@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "gui/alarms/alarms_page.h"
 #include "gui/diagnostics/diagnostics_page.h"
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
@@ -37,6 +38,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
   column->addWidget(alarm_);
   column->addWidget(pages_);
   setCentralWidget(content);
+  alarms_ = new AlarmWatch(place, {}, this);
   addPages();
   setMinimumSize(1280, 720);
 
@@ -64,6 +66,7 @@ void MainWindow::addPages() {
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
+  add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
 }
 
@@ -96,6 +99,8 @@ void MainWindow::tick(PullDetail detail) {
   if (detail == PullDetail::Profile) return;
   header_->show(line);
   alarm_->show(line);
+  alarms_->follow(line);
+  pages_->setAlarms(alarms_->book().active().size());
 }
 
 void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) {
@@ -105,6 +110,12 @@ void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) 
 
 void MainWindow::bindKeys() {
   bindKey(Qt::CTRL | Qt::Key_D, [this] { theme_.setDark(!theme_.dark()); });
+  bindKey(Qt::CTRL | Qt::Key_A, [this] {
+    // What the alarm line shows: the most urgent that nobody has seen.
+    const std::vector<Alarm> active = alarms_->book().active();
+    if (!active.empty()) alarms_->acknowledge(active.front().id);
+  });
+  bindKey(Qt::CTRL | Qt::SHIFT | Qt::Key_A, [this] { alarms_->acknowledgeAll(); });
   bindKey(Qt::CTRL | Qt::Key_R, [this] { toggleRun(); });
 }
 

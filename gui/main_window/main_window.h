@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace vignole {
 
 class AlarmLine;
+class AlarmWatch;
 class HeaderBar;
 class MonitorPage;
 class PageBar;
@@ -39,6 +40,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Page* page(PageId page) const { return all_[static_cast<std::size_t>(page)]; }
   [[nodiscard]] MonitorPage& monitor() { return *monitor_; }
   [[nodiscard]] HeaderBar& header() { return *header_; }
+  [[nodiscard]] AlarmWatch& alarms() { return *alarms_; }
   [[nodiscard]] AlarmLine& alarmLine() { return *alarm_; }
   [[nodiscard]] const EventLoopWatchdog& watchdog() const { return watchdog_; }
 
@@ -65,6 +67,7 @@ class MainWindow : public QMainWindow {
   PageId shown_ = PageId::Monitor;
   MonitorPage* monitor_;
   AlarmLine* alarm_;
+  AlarmWatch* alarms_;
   PageBar* pages_;
 };
 
