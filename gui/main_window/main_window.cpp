@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "gui/alarms/alarms_page.h"
+#include "gui/charts/charts_page.h"
 #include "gui/diagnostics/diagnostics_page.h"
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 void MainWindow::addPages() {
   monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
+  add(PageId::Charts, new ChartsPage(place_, stack_));
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
