@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QSaveFile>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
@@ -101,6 +102,20 @@ int run(QApplication& app, const Options& options) {
   Theme theme(options.dark);
   Session session;
   Units units;
+  const bool remembers = options.screenshot.empty() && !options.selfTestS;
+  if (remembers) {
+    // What a person chose on this machine, unless the command line says otherwise.
+    const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
+    if (!options.dark) theme.setDark(chosen.value(QStringLiteral("dark"), false).toBool());
+    if (chosen.value(QStringLiteral("inches"), false).toBool()) units.setLength(Units::Length::Inch);
+    QObject::connect(&theme, &Theme::changed, [&theme] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole")).setValue(QStringLiteral("dark"), theme.dark());
+    });
+    QObject::connect(&units, &Units::changed, [&units] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole"))
+          .setValue(QStringLiteral("inches"), units.length() == Units::Length::Inch);
+    });
+  }
   Records records = openRecords(options, !options.screenshot.empty() || options.selfTestS);
   (*line)->record(records.writer.get());
   Workplace place{theme, **line, session, units};

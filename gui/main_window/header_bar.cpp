@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "gui/monitor/judgement.h"
+#include "gui/settings/sign_in_panel.h"
 
 namespace vignole {
 
@@ -110,7 +111,7 @@ void HeaderField::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-HeaderBar::HeaderBar(const Theme& theme, std::function<QDateTime()> clock, QWidget* parent)
+HeaderBar::HeaderBar(const Theme& theme, const Session& session, std::function<QDateTime()> clock, QWidget* parent)
     : QFrame(parent), theme_(theme), clock_(std::move(clock)) {
   setObjectName(QStringLiteral("header"));
   setFixedHeight(64);
@@ -137,12 +138,24 @@ HeaderBar::HeaderBar(const Theme& theme, std::function<QDateTime()> clock, QWidg
   themeButton_->setToolTip(tr("Other theme (Ctrl+D)"));
   connect(&theme_, &Theme::changed, this, label);
 
+  userButton_ = makeButton(theme, QStringLiteral("user"), this);
+  const auto who = [this, &session] {
+    const QString role = roleWord(session.role());
+    userButton_->setText(session.user().isEmpty() ? role : session.user());
+    userButton_->setAccessibleName(session.user().isEmpty() ? tr("%1: sign in").arg(role)
+                                                            : tr("%1, %2: sign out").arg(session.user(), role));
+    userButton_->setToolTip(session.user().isEmpty() ? tr("Sign in (Ctrl+L)") : tr("%1: sign out (Ctrl+L)").arg(role));
+  };
+  who();
+  connect(&session, &Session::changed, this, who);
   auto* row = new QHBoxLayout(this);
   row->setSpacing(0);
   for (HeaderField* field : {rail_, heat_, section_, recipe_, length_, speed_, gauge_, time_}) row->addWidget(field, 1);
   row->addSpacing(8);
   row->addWidget(simulation_);
   row->addSpacing(12);
+  row->addWidget(userButton_);
+  row->addSpacing(6);
   row->addWidget(themeButton_);
   row->setContentsMargins(stateWidth(), 0, 12, 0);
   beat();

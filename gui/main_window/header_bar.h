@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/bridge/line.h"
+#include "gui/bridge/session.h"
 #include "gui/theme/theme.h"
 #include "report/state_symbol.h"
 
@@ -43,9 +44,10 @@ class HeaderBar : public QFrame {
   Q_OBJECT
 
  public:
-  HeaderBar(const Theme& theme, std::function<QDateTime()> clock, QWidget* parent = nullptr);
+  HeaderBar(const Theme& theme, const Session& session, std::function<QDateTime()> clock, QWidget* parent = nullptr);
   void show(const LineSnapshot& line);
-  void beat();  ///< once a second: still bars mean a frozen screen
+  void beat();                                                      ///< once a second: still bars mean a frozen screen
+  [[nodiscard]] QPushButton& userButton() { return *userButton_; }  ///< who sits here; pressed: sign in or out
   [[nodiscard]] QPushButton& themeButton() { return *themeButton_; }
   [[nodiscard]] const QString& stateWord() const { return stateWord_; }
 
@@ -62,7 +64,7 @@ class HeaderBar : public QFrame {
   StateSymbol stateSymbol_ = StateSymbol::Idle;
   HeaderField *rail_, *heat_, *section_, *recipe_, *length_, *speed_, *gauge_, *time_;
   QWidget* simulation_;
-  QPushButton* themeButton_;
+  QPushButton *userButton_, *themeButton_;
   int beats_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "gui/main_window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QPushButton>
 #include <QShortcut>
@@ -15,10 +16,12 @@
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
 #include "gui/rails/rails_page.h"
+#include "gui/settings/settings_page.h"
 
 namespace vignole {
 
 namespace {
+constexpr int kIdleMs = 15 * 60 * 1000;
 constexpr int kTickMs = 33;          // 30 pictures a second at most
 constexpr int kTicksPerFigures = 6;  // five times a second: faster digits cannot be read
 }  // namespace
@@ -30,7 +33,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  header_ = new HeaderBar(theme_, clock, content);
+  header_ = new HeaderBar(theme_, place.session, clock, content);
   stack_ = new QStackedWidget(content);
   alarm_ = new AlarmLine(theme_, clock, content);
   pages_ = new PageBar(theme_, content);
@@ -47,6 +50,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
   restyle();
   connect(&theme_, &Theme::changed, this, restyle);
   connect(&header_->themeButton(), &QPushButton::clicked, this, [this] { theme_.setDark(!theme_.dark()); });
+  connect(&header_->userButton(), &QPushButton::clicked, this, &MainWindow::signInOrOut);
   connect(pages_, &PageBar::pageAsked, this, &MainWindow::showPage);
   connect(monitor_, &MonitorPage::runAsked, this, &MainWindow::toggleRun);
   bindKeys();
@@ -58,6 +62,16 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
           [this] { tick(tickNumber_++ % kTicksPerFigures == 0 ? PullDetail::Everything : PullDetail::Profile); });
   seconds_.setInterval(1000);
   connect(&seconds_, &QTimer::timeout, header_, &HeaderBar::beat);
+  idle_.setSingleShot(true);
+  idle_.setInterval(kIdleMs);
+  connect(&idle_, &QTimer::timeout, &place_.session, &Session::leave);
+  connect(&place_.session, &Session::changed, this, [this] {
+    if (place_.session.user().isEmpty())
+      idle_.stop();
+    else
+      idle_.start();
+  });
+  qApp->installEventFilter(this);
   tick(PullDetail::Everything);
 }
 
@@ -70,6 +84,8 @@ void MainWindow::addPages() {
   add(PageId::Rails, rails);
   add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
+  settings_ = new SettingsPage(place_, stack_);
+  add(PageId::Settings, settings_);
 }
 
 void MainWindow::add(PageId page, Page* widget) {
@@ -111,6 +127,7 @@ void MainWindow::bindKey(const QKeySequence& key, std::function<void()> action) 
 }
 
 void MainWindow::bindKeys() {
+  bindKey(Qt::CTRL | Qt::Key_L, [this] { signInOrOut(); });
   bindKey(Qt::CTRL | Qt::Key_D, [this] { theme_.setDark(!theme_.dark()); });
   bindKey(Qt::CTRL | Qt::Key_A, [this] {
     // What the alarm line shows: the most urgent that nobody has seen.
@@ -119,6 +136,24 @@ void MainWindow::bindKeys() {
   });
   bindKey(Qt::CTRL | Qt::SHIFT | Qt::Key_A, [this] { alarms_->acknowledgeAll(); });
   bindKey(Qt::CTRL | Qt::Key_R, [this] { toggleRun(); });
+}
+
+void MainWindow::signInOrOut() {
+  if (!place_.session.user().isEmpty()) {
+    place_.session.leave();
+    return;
+  }
+  showPage(PageId::Settings);
+  settings_->askForName();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  // Whoever has gone away leaves the operator's screen; what it shows stays.
+  const QEvent::Type type = event->type();
+  if (type == QEvent::KeyPress || type == QEvent::MouseButtonPress || type == QEvent::Wheel ||
+      type == QEvent::TouchBegin)
+    if (idle_.isActive()) idle_.start();
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::toggleRun() {

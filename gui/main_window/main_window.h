@@ -20,6 +20,7 @@ class AlarmWatch;
 class HeaderBar;
 class MonitorPage;
 class PageBar;
+class SettingsPage;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] const EventLoopWatchdog& watchdog() const { return watchdog_; }
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -54,18 +56,21 @@ class MainWindow : public QMainWindow {
   void bindKeys();
   void bindKey(const QKeySequence& key, std::function<void()> action);
   void toggleRun();
+  void signInOrOut();
 
   Workplace& place_;
   Line& line_;
   Theme& theme_;
   EventLoopWatchdog watchdog_;
   QTimer ticks_, seconds_;
+  QTimer idle_;  ///< until a person who signed in is taken to have gone
   int tickNumber_ = 0;
   HeaderBar* header_;
   QStackedWidget* stack_;
   std::array<Page*, kPageCount> all_{};
   PageId shown_ = PageId::Monitor;
   MonitorPage* monitor_;
+  SettingsPage* settings_;
   AlarmLine* alarm_;
   AlarmWatch* alarms_;
   PageBar* pages_;
