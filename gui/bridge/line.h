@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/acquisition/rail_announcement.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
@@ -75,6 +76,8 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
+  /// Where the papers of the next rail are handed in; null: the line takes none.
+  [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
 };
 
 }  // namespace vignole

@@ -16,6 +16,7 @@ struct VirtualLine::Impl {
   VirtualLineSettings settings;
   std::shared_ptr<const VirtualRig> rig;
   RailWatch watch;
+  RailAnnouncements announcements;
   // The inspection uses source and watch: it is declared last and goes first.
   std::unique_ptr<FrameSource> source;
   std::unique_ptr<Inspection> inspection;
@@ -64,20 +65,31 @@ void VirtualLine::start() {
   source.rails = std::numeric_limits<int>::max();
   source.lengthMm = i.settings.railLengthMm;
   source.paced = true;
-  i.source = makeVirtualSource(i.rig, source);
+  i.announcements.restart();
+  i.source = announced(makeVirtualSource(i.rig, source), i.announcements);
   i.watch.restart();
   i.stopAsked = false;
   ++i.starts;
   InspectionObserver observer = i.watch.observer();
   if (i.writer != nullptr) {
     auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, i.rig->calibration()});
-    observer = recorded(std::move(observer), *i.writer, std::move(setup), {}, [&i] { return i.inspection->stages(); });
+    const auto papersOf = [&i](const RailBegin& rail) {
+      const RailAnnouncement known = i.announcements.taken(rail.firstTrigger);
+      RailPapers papers;
+      papers.strand = known.strand;
+      papers.orderNumber = known.order;
+      return papers;
+    };
+    observer =
+        recorded(std::move(observer), *i.writer, std::move(setup), papersOf, [&i] { return i.inspection->stages(); });
   }
   i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), std::move(observer));
   i.inspection->start();
 }
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
+
+RailAnnouncements* VirtualLine::announcements() { return &impl_->announcements; }
 
 void VirtualLine::stop() {
   impl_->stopAsked = true;

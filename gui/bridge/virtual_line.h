@@ -29,6 +29,7 @@ class VirtualLine : public Line {
   void stop() override;
   [[nodiscard]] bool running() const override;
   [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
+  [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:
   struct Impl;
