@@ -11,6 +11,7 @@
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
+#include "gui/bridge/frame_tap.h"
 
 namespace vignole {
 
@@ -75,6 +76,12 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
+  /// The cameras' latest frames; null: this line hands out none.
+  [[nodiscard]] virtual std::shared_ptr<LatestFrames> frames() { return nullptr; }
+  /// In force.
+  [[nodiscard]] virtual RigCalibration calibration() { return {}; }
+  /// From the next start on; the running rail keeps what it began with. Settings are checked().
+  virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
 };
 
 }  // namespace vignole

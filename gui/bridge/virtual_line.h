@@ -29,6 +29,9 @@ class VirtualLine : public Line {
   void stop() override;
   [[nodiscard]] bool running() const override;
   [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
+  [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
+  [[nodiscard]] RigCalibration calibration() override;
+  void useStripeSettings(const StripeSettings& settings) override;
 
  private:
   struct Impl;

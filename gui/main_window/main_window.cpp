@@ -17,6 +17,7 @@
 #include "gui/monitor/monitor_page.h"
 #include "gui/rails/rails_page.h"
 #include "gui/settings/settings_page.h"
+#include "gui/stripes/stripes_page.h"
 
 namespace vignole {
 
@@ -78,6 +79,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 void MainWindow::addPages() {
   monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
+  add(PageId::Stripes, new StripesPage(place_, stack_));
   add(PageId::Charts, new ChartsPage(place_, stack_));
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
