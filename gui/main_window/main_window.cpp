@@ -15,6 +15,7 @@
 #include "gui/main_window/page_bar.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
+#include "gui/quality/quality_page.h"
 #include "gui/rails/rails_page.h"
 #include "gui/settings/settings_page.h"
 #include "gui/stripes/stripes_page.h"
@@ -84,6 +85,7 @@ void MainWindow::addPages() {
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
+  add(PageId::Quality, new QualityPage(place_, stack_));
   add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
   settings_ = new SettingsPage(place_, stack_);
