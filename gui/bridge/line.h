@@ -12,6 +12,7 @@
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
+#include "gui/bridge/frame_tap.h"
 
 namespace vignole {
 
@@ -78,6 +79,12 @@ class Line {
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
   /// Where the papers of the next rail are handed in; null: the line takes none.
   [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
+  /// The cameras' latest frames; null: this line hands out none.
+  [[nodiscard]] virtual std::shared_ptr<LatestFrames> frames() { return nullptr; }
+  /// In force.
+  [[nodiscard]] virtual RigCalibration calibration() { return {}; }
+  /// From the next start on; the running rail keeps what it began with. Settings are checked().
+  virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
 };
 
 }  // namespace vignole

@@ -1,6 +1,7 @@
 #include "gui/bridge/virtual_line.h"
 
 #include <limits>
+#include <utility>
 
 #include "gui/bridge/rail_recorder.h"
 #include "gui/bridge/rail_watch.h"
@@ -18,7 +19,9 @@ struct VirtualLine::Impl {
   RailWatch watch;
   RailAnnouncements announcements;
   // The inspection uses source and watch: it is declared last and goes first.
-  std::unique_ptr<FrameSource> source;
+  std::shared_ptr<LatestFrames> frames = std::make_shared<LatestFrames>();
+  std::optional<StripeSettings> nextStripe;
+  std::unique_ptr<FrameSource> source, tap;
   std::unique_ptr<Inspection> inspection;
   RailWriter* writer = nullptr;
   std::uint64_t starts = 0;
@@ -67,6 +70,8 @@ void VirtualLine::start() {
   source.paced = true;
   i.announcements.restart();
   i.source = announced(makeVirtualSource(i.rig, source), i.announcements);
+  i.tap = std::make_unique<FrameTap>(*i.source, i.frames);
+  if (i.nextStripe) i.settings.recipe.stripe = *std::exchange(i.nextStripe, std::nullopt);
   i.watch.restart();
   i.stopAsked = false;
   ++i.starts;
@@ -83,9 +88,13 @@ void VirtualLine::start() {
     observer =
         recorded(std::move(observer), *i.writer, std::move(setup), papersOf, [&i] { return i.inspection->stages(); });
   }
-  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), std::move(observer));
+  i.inspection = std::make_unique<Inspection>(*i.tap, i.settings.recipe, i.rig->calibration(), std::move(observer));
   i.inspection->start();
 }
+
+std::shared_ptr<LatestFrames> VirtualLine::frames() { return impl_->frames; }
+RigCalibration VirtualLine::calibration() { return impl_->rig->calibration(); }
+void VirtualLine::useStripeSettings(const StripeSettings& settings) { impl_->nextStripe = settings; }
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
 
