@@ -364,7 +364,8 @@ void RailsPage::showWriter() {
     return;
   }
   const RailWriterStatus status = place_.writer->status();
-  QString words = tr("kept: %1 rails, %2 profiles waiting").arg(count(status.railsStored), count(status.queued));
+  QString words =
+      tr("kept since the start: %1 rails; %2 profiles wait").arg(count(status.railsStored), count(status.queued));
   if (status.profilesLost > 0) words += tr("; %1 profiles lost").arg(count(status.profilesLost));
   if (status.pointsDropped > 0) words += tr("; points of %1 profiles left out").arg(count(status.pointsDropped));
   writer_->setText(status.failure.empty()
@@ -378,7 +379,6 @@ void RailsPage::enterNextRail() {
   if (nextRailDialog_ == nullptr)
     nextRailDialog_ = new NextRailDialog(place_.theme, *place_.line.announcements(), this);
   nextRailDialog_->show();
-  nextRailDialog_->raise();
 }
 
 void RailsPage::askWhatIf() {
@@ -389,7 +389,6 @@ void RailsPage::askWhatIf() {
     if (rail.section == opened_->recipe->section.name && rail.state == RailState::Finished) rails.push_back(rail);
   whatIfDialog_->setRails(*opened_->recipe, std::move(rails));
   whatIfDialog_->show();
-  whatIfDialog_->raise();
 }
 
 bool RailsPage::filtered() const {
@@ -463,19 +462,30 @@ void RailsPage::showFound(std::vector<RailLine> found, std::uint64_t all) {
     table_->setItem(i, 0, verdict);
     table_->setItem(i, 1, cell(shown(rail.id)));
     table_->setItem(i, 2, cell(shown(rail.heat)));
-    const QString excess = QString::number(rail.worstExcessMm, 'f', 2).replace('-', QChar(0x2212));
-    table_->setItem(i, 3,
-                    cell(rail.worst ? spoken(*rail.worst) + QStringLiteral("  ") +
-                                          (rail.worstExcessMm > 0 ? tr("%1 out").arg(excess) : tr("inside"))
-                                    : QStringLiteral("–")));
+    table_->setItem(
+        i, 3,
+        cell(!rail.worst               ? QStringLiteral("–")
+             : rail.worstExcessMm <= 0 ? spoken(*rail.worst)
+                                       : spoken(*rail.worst) + QChar(u' ') + deviationText(rail.worstExcessMm, 2)));
+    table_->item(i, 3)->setToolTip(!rail.worst               ? QString()
+                                   : rail.worstExcessMm <= 0 ? tr("nearest to a limit, inside")
+                                                             : tr("furthest beyond a limit, mm"));
     const QDateTime time = local(rail.beganUs);
-    const bool today = time.date() == QDate::currentDate();
-    table_->setItem(i, 4, cell(time.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm"))));
+    const QDate today = QDate::currentDate();
+    const char* format = time.date() == today                 ? "HH:mm:ss"
+                         : time.date().year() == today.year() ? "MM-dd HH:mm"
+                                                              : "yyyy-MM-dd";
+    table_->setItem(i, 4, cell(time.toString(QLatin1String(format))));
+    table_->item(i, 4)->setToolTip(time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
     if (opened_ && opened_->stored.key == rail.key) chosen = i;
   }
+  // Where there is little room the heat goes: it is searched for, and stands in the report.
   const int wide = table_->viewport()->width();
-  const int shares[] = {27, 19, 18, 21};
-  for (int column = 0; column < 4; ++column) table_->setColumnWidth(column, wide * shares[column] / 100);
+  const bool narrow = wide < 460;
+  table_->setColumnHidden(2, narrow);
+  const std::array<int, 4> shares = narrow ? std::array{38, 22, 0, 17} : std::array{28, 19, 16, 18};
+  for (int column = 0; column < 4; ++column)
+    table_->setColumnWidth(column, wide * shares[static_cast<std::size_t>(column)] / 100);
   if (chosen >= 0) table_->selectRow(chosen);
   list_->setNote(tr("%1 of %2").arg(count(found_.size()), count(std::max<std::uint64_t>(all, found_.size()))));
   empty_->setVisible(found_.empty());

@@ -220,6 +220,15 @@ TEST(NextRail, IsEnteredByHandAndRefusesATemperatureThatIsNone) {
   QTest::mouseClick(announce, Qt::LeftButton);
   EXPECT_FALSE(rails.waiting());
   EXPECT_TRUE(dialog.message().contains(QStringLiteral("no number"))) << dialog.message().toStdString();
+  enter("Temperature, \u00b0C", "61.5");
+  QTest::mouseClick(announce, Qt::LeftButton);
+  ASSERT_TRUE(rails.waiting());
+  EXPECT_EQ(rails.waiting()->id, "0412-3-07");
+  EXPECT_EQ(rails.waiting()->strand, "3");
+  EXPECT_EQ(rails.waiting()->temperatureC, 61.5);
+  EXPECT_TRUE(dialog.message().contains(QStringLiteral("0412-3-07"))) << dialog.message().toStdString();
+  QTest::mouseClick(button(dialog, "Withdraw"), Qt::LeftButton);
+  EXPECT_FALSE(rails.waiting());
 }
 
 TEST_F(RailsPageTest, TheWayBackLeadsToTheLiveRail) {
