@@ -77,14 +77,14 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
-  /// Where the papers of the next rail are handed in; null: the line takes none.
-  [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
   /// The cameras' latest frames; null: this line hands out none.
   [[nodiscard]] virtual std::shared_ptr<LatestFrames> frames() { return nullptr; }
   /// In force.
   [[nodiscard]] virtual RigCalibration calibration() { return {}; }
   /// From the next start on; the running rail keeps what it began with. Settings are checked().
   virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
+  /// Where the papers of the next rail are handed in; null: the line takes none.
+  [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
 };
 
 }  // namespace vignole

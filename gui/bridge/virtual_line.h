@@ -29,10 +29,10 @@ class VirtualLine : public Line {
   void stop() override;
   [[nodiscard]] bool running() const override;
   [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
-  [[nodiscard]] RailAnnouncements* announcements() override;
   [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
   [[nodiscard]] RigCalibration calibration() override;
   void useStripeSettings(const StripeSettings& settings) override;
+  [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:
   struct Impl;

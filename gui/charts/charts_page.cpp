@@ -59,6 +59,7 @@ ChartsPage::ChartsPage(Workplace& place, QWidget* parent)
       choose(kDimensions[static_cast<std::size_t>(row)]);
   });
   dimensionPanel_->content()->addWidget(dimensions_, 1);
+  dimensionPanel_->setMinimumWidth(216);  // a name and a value, whole
 
   chartPanel_ = new Panel(this);
   rail_ = new QComboBox(chartPanel_);
@@ -93,8 +94,9 @@ ChartsPage::ChartsPage(Workplace& place, QWidget* parent)
   styleTable(*figures_);
   figures_->horizontalHeader()->hide();
   figures_->setSelectionMode(QAbstractItemView::NoSelection);
-  figures_->verticalHeader()->setDefaultSectionSize(32);
+  figures_->verticalHeader()->setDefaultSectionSize(28);
   figurePanel_->content()->addWidget(figures_, 1);
+  figurePanel_->setMinimumWidth(320);
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(16, 16, 16, 16);
@@ -170,6 +172,22 @@ void ChartsPage::changeEvent(QEvent* event) {
 void ChartsPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
   load(newest_ || !data_ ? 0 : data_->rail.key);
+}
+
+void ChartsPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  auto* grid = static_cast<QGridLayout*>(layout());
+  const bool low = height() < 760;
+  const int gap = low || width() < 1600 ? 8 : 16;
+  grid->setContentsMargins(gap, gap, gap, gap);
+  grid->setSpacing(gap);
+  grid->setRowStretch(1, low ? 4 : 3);
+  layOutTables();
+}
+
+void ChartsPage::layOutTables() {
+  dimensions_->setColumnWidth(0, dimensions_->viewport()->width() * 52 / 100);
+  figures_->setColumnWidth(0, figures_->viewport()->width() * 64 / 100);
 }
 
 void ChartsPage::showLine(const LineSnapshot& line, PullDetail detail) {
@@ -250,7 +268,7 @@ void ChartsPage::showDimensions() {
     dimensions_->setItem(i, 0, name);
     dimensions_->setItem(i, 1, number);
   }
-  dimensions_->setColumnWidth(0, dimensions_->viewport()->width() * 54 / 100);
+  layOutTables();
   dimensions_->selectRow(static_cast<int>(index(dimension_)));
 }
 
@@ -320,7 +338,8 @@ void ChartsPage::showFigures() {
   if (f.count > 0)
     rows = {{tr("Mean"), length(f.mean)},
             {tr("Standard deviation"), length(f.sd)},
-            {tr("Smallest, largest"), QStringLiteral("%1, %2").arg(length(f.smallest), length(f.largest))},
+            {tr("Smallest"), length(f.smallest)},
+            {tr("Largest"), length(f.largest)},
             {tr("Uncertainty U (k = 2)"), QStringLiteral("±") + length(2 * f.uMm)}};
   rows.emplace_back(tr("Beyond a limit"), tr("%1 of %2").arg(count(f.beyond), all));
   rows.emplace_back(tr("In the guard band"), tr("%1 of %2").arg(count(f.guard), all));
@@ -334,7 +353,7 @@ void ChartsPage::showFigures() {
     number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     figures_->setItem(i, 1, number);
   }
-  figures_->setColumnWidth(0, figures_->viewport()->width() * 55 / 100);
+  layOutTables();
 }
 
 void ChartsPage::showCursor() {

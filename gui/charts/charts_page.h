@@ -41,6 +41,7 @@ class ChartsPage : public Page {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -51,6 +52,7 @@ class ChartsPage : public Page {
   void showChart();
   void showPerRail();
   void showFigures();
+  void layOutTables();
   void showCursor();
   void moveCursor(int values);
   void save();

@@ -30,6 +30,7 @@ TolerancePlot::TolerancePlot(const Theme& theme, QWidget* parent)
   plot_->setMinimumSize(48, 48);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNoAntialiasingOnDrag(true);
+  plot_->yAxis->setNumberFormat(QStringLiteral("f"));
   below_ = new QCPItemRect(plot_);
   above_ = new QCPItemRect(plot_);
   bandLow_ = plot_->addGraph();
@@ -176,6 +177,7 @@ double TolerancePlot::yMax() const { return plot_->yAxis->range().upper; }
 
 void TolerancePlot::placeItems() {
   const QCPRange x = plot_->xAxis->range(), y = plot_->yAxis->range();
+  plot_->yAxis->setNumberPrecision(y.size() > 20 ? 0 : y.size() > 2 ? 1 : y.size() > 0.4 ? 2 : 3);
   const auto line = [&](QCPItemLine* item, const std::optional<double>& at) {
     item->setVisible(at.has_value());
     if (!at) return;

@@ -42,6 +42,7 @@ NextRailDialog::NextRailDialog(const Theme& theme, RailAnnouncements& rails, QWi
   message_->setMinimumHeight(44);
   grid->addWidget(message_, 6, 0, 1, 2);
   auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
   announce_ = makeButton(theme, QString(), this, true);
   withdraw_ = makeButton(theme, QString(), this);
   close_ = makeButton(theme, QString(), this);

@@ -25,6 +25,7 @@ namespace {
 
 constexpr std::size_t kRailsPerQuestion = 4;  // between two of them a search of the page gets its turn
 constexpr int kMostListed = 200;
+constexpr std::size_t kRowsPerBlock = 7;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -59,29 +60,34 @@ WhatIfDialog::WhatIfDialog(Workplace& place, ArchiveReader& reader, QWidget* par
     box->setFont(uiFont(16));
     connect(box, &QComboBox::activated, this, &WhatIfDialog::fillFromClass);
   }
-  fields->addWidget(profileLabel_, 0, 0);
-  fields->addWidget(profileClass_, 0, 1, 1, 2);
-  fields->addWidget(straightnessLabel_, 1, 0);
-  fields->addWidget(straightnessClass_, 1, 1, 1, 2);
-  lowerHead_ = makeLabel(14, 400, "t2", this);
-  upperHead_ = makeLabel(14, 400, "t2", this);
-  fields->addWidget(lowerHead_, 2, 1);
-  fields->addWidget(upperHead_, 2, 2);
+  fields->addWidget(profileLabel_, 0, 0, 1, 2);
+  fields->addWidget(profileClass_, 1, 0, 1, 3);
+  fields->addWidget(straightnessLabel_, 0, 3, 1, 2);
+  fields->addWidget(straightnessClass_, 1, 3, 1, 3);
+  for (std::size_t block = 0; block < 2; ++block) {
+    const int column = 3 * static_cast<int>(block);
+    lowerHeads_[block] = makeLabel(14, 400, "t2", this);
+    upperHeads_[block] = makeLabel(14, 400, "t2", this);
+    fields->addWidget(lowerHeads_[block], 2, column + 1);
+    fields->addWidget(upperHeads_[block], 2, column + 2);
+  }
+  // In two blocks, so that a low screen holds them.
   for (const Dimension d : kDimensions) {
-    const int row = 3 + static_cast<int>(index(d));
+    const int row = 3 + static_cast<int>(index(d) % kRowsPerBlock);
+    const int column = 3 * static_cast<int>(index(d) / kRowsPerBlock);
     names_[index(d)] = makeLabel(16, 500, "t1", this);
     names_[index(d)]->setText(spoken(d));
-    fields->addWidget(names_[index(d)], row, 0);
+    fields->addWidget(names_[index(d)], row, column);
     for (auto* side : {&lower_, &upper_}) {
       auto* field = new QLineEdit(this);
       field->setFont(uiFont(15));
       field->setAlignment(Qt::AlignRight);
-      field->setFixedSize(96, 32);
+      field->setFixedWidth(92);
       (*side)[index(d)] = field;
-      fields->addWidget(field, row, side == &lower_ ? 1 : 2);
+      fields->addWidget(field, row, column + (side == &lower_ ? 1 : 2));
     }
   }
-  fields->setRowStretch(16, 1);
+  fields->setRowStretch(3 + static_cast<int>(kRowsPerBlock), 1);
   all->addLayout(fields, 1, 0);
 
   auto* right = new QVBoxLayout;
@@ -93,7 +99,7 @@ WhatIfDialog::WhatIfDialog(Workplace& place, ArchiveReader& reader, QWidget* par
   table_ = new QTableWidget(0, 4, this);
   styleTable(*table_);
   table_->setIconSize({18, 18});
-  table_->setMinimumWidth(480);
+  table_->setMinimumWidth(440);
   right->addWidget(result_);
   right->addWidget(progress_);
   right->addWidget(detail_);
@@ -102,6 +108,7 @@ WhatIfDialog::WhatIfDialog(Workplace& place, ArchiveReader& reader, QWidget* par
   all->setColumnStretch(1, 1);
 
   auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
   try_ = makeButton(place.theme, QStringLiteral("play"), this, true);
   close_ = makeButton(place.theme, QString(), this);
   try_->setDefault(true);
@@ -116,7 +123,7 @@ WhatIfDialog::WhatIfDialog(Workplace& place, ArchiveReader& reader, QWidget* par
     fillFromClass();
     retranslate();
   });
-  resize(980, 620);
+  resize(1160, 600);
   retranslate();
 }
 
@@ -139,8 +146,8 @@ void WhatIfDialog::retranslate() {
   straightnessClass_->setEnabled(profile > 0);
   profileClass_->setAccessibleName(profileLabel_->text());
   straightnessClass_->setAccessibleName(straightnessLabel_->text());
-  lowerHead_->setText(tr("lower, %1").arg(place_.units.name()));
-  upperHead_->setText(tr("upper, %1").arg(place_.units.name()));
+  for (QLabel* head : lowerHeads_) head->setText(tr("lower, %1").arg(place_.units.name()));
+  for (QLabel* head : upperHeads_) head->setText(tr("upper, %1").arg(place_.units.name()));
   for (const Dimension d : kDimensions) {
     lower_[index(d)]->setAccessibleName(tr("Lower limit of %1, deviation").arg(spoken(d)));
     upper_[index(d)]->setAccessibleName(tr("Upper limit of %1, deviation").arg(spoken(d)));
@@ -333,7 +340,7 @@ void WhatIfDialog::showResult() {
       if (r.dimensionsBefore[index(d)] != r.dimensionsAfter[index(d)]) because << spoken(d);
     table_->setItem(row, 3, new QTableWidgetItem(because.join(QStringLiteral(", "))));
   }
-  for (int column = 0; column < 3; ++column) table_->setColumnWidth(column, table_->viewport()->width() * 26 / 100);
+  for (int column = 0; column < 3; ++column) table_->setColumnWidth(column, table_->viewport()->width() * 20 / 100);
 }
 
 }  // namespace vignole

@@ -59,8 +59,9 @@ class WhatIfDialog : public QDialog {
   std::string refusal_;
   std::uint64_t run_ = 0;
   bool running_ = false;
-  QLabel *intro_, *profileLabel_, *straightnessLabel_, *lowerHead_, *upperHead_, *result_, *detail_;
+  QLabel *intro_, *profileLabel_, *straightnessLabel_, *result_, *detail_;
   QComboBox *profileClass_, *straightnessClass_;
+  std::array<QLabel*, 2> lowerHeads_{}, upperHeads_{};
   PerDimension<QLabel*> names_{};
   PerDimension<QLineEdit*> lower_{}, upper_{};
   QProgressBar* progress_;

@@ -53,6 +53,7 @@ class RailsPageTest : public ::testing::Test {
   }
   void show() {
     page = std::make_unique<RailsPage>(place);
+    page->setStyleSheet(theme.styleSheet());
     page->resize(1888, 880);
     page->show();
     ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() == 12 && page->opened() != nullptr; }, 10000));
@@ -161,6 +162,9 @@ TEST_F(RailsPageTest, WhatIfJudgesTheRailsFoundWithOtherLimits) {
     QTest::mouseClick(button(*dialog, "Judge the rails with these limits"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return done.count() == 1; }, 30000));
   };
+  for (const QWidget* w : dialog->findChildren<QLineEdit*>())
+    EXPECT_GE(w->height(), w->minimumSizeHint().height()) << w->accessibleName().toStdString();
+  EXPECT_LE(dialog->height(), 720) << "a small screen holds it";
   run();
   EXPECT_EQ(dialog->judged().size(), 12U);
   EXPECT_EQ(dialog->changed(), 0U) << "with the limits of the recipe";
@@ -203,6 +207,7 @@ TEST(NextRail, IsEnteredByHandAndRefusesATemperatureThatIsNone) {
   const Theme theme;
   RailAnnouncements rails;
   NextRailDialog dialog(theme, rails);
+  dialog.setStyleSheet(theme.styleSheet());
   dialog.show();
   const auto enter = [&](const char* field, const char* text) {
     for (QLineEdit* edit : dialog.findChildren<QLineEdit*>())
@@ -212,6 +217,9 @@ TEST(NextRail, IsEnteredByHandAndRefusesATemperatureThatIsNone) {
       }
   };
   QPushButton* announce = button(dialog, "For the next rail");
+  for (const QWidget* w : dialog.findChildren<QWidget*>())
+    EXPECT_TRUE(w->width() >= w->minimumSizeHint().width() && w->height() >= w->minimumSizeHint().height())
+        << w->accessibleName().toStdString();
   QTest::mouseClick(announce, Qt::LeftButton);
   EXPECT_FALSE(rails.waiting()) << "nothing was entered";
   enter("Rail", "0412-3-07");
