@@ -13,6 +13,7 @@
 
 #include "gui/bridge/self_test.h"
 #include "gui/bridge/virtual_line.h"
+#include "gui/languages/languages.h"
 #include "gui/main_window/main_window.h"
 #include "gui/main_window/options.h"
 #include "gui/monitor/dimension_table.h"
@@ -102,12 +103,20 @@ int run(QApplication& app, const Options& options) {
   Theme theme(options.dark);
   Session session;
   Units units;
+  Languages languages;
+  if (!options.language.empty()) languages.use(QString::fromStdString(options.language));
   const bool remembers = options.screenshot.empty() && !options.selfTestS;
   if (remembers) {
     // What a person chose on this machine, unless the command line says otherwise.
     const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
     if (!options.dark) theme.setDark(chosen.value(QStringLiteral("dark"), false).toBool());
     if (chosen.value(QStringLiteral("inches"), false).toBool()) units.setLength(Units::Length::Inch);
+    if (options.language.empty())
+      languages.use(chosen.value(QStringLiteral("language"), Languages::ofThisMachine()).toString());
+    QObject::connect(&languages, &Languages::changed, [&languages] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole"))
+          .setValue(QStringLiteral("language"), languages.code());
+    });
     QObject::connect(&theme, &Theme::changed, [&theme] {
       QSettings(QStringLiteral("vignole"), QStringLiteral("vignole")).setValue(QStringLiteral("dark"), theme.dark());
     });
@@ -123,6 +132,7 @@ int run(QApplication& app, const Options& options) {
   place.archiveUrl = records.url;
   place.archiveProblem = records.problem;
   place.writer = records.writer.get();
+  place.languages = &languages;
   MainWindow window(place);
   window.resize(options.size);
   ProcessUse begin = processUse();

@@ -18,6 +18,7 @@
 #include <QTableWidget>
 
 #include "gui/alarms/alarm_symbol.h"
+#include "gui/alarms/alarm_words.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 
@@ -30,11 +31,6 @@ constexpr int kOperatorsMinutes = 60;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
-/// Rules are written in English; their translations go by the text itself.
-QString ofRule(const std::string& text) { return QCoreApplication::translate("AlarmRule", text.c_str()); }
-
-QDateTime local(AlarmTime time) { return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count()); }
-
 QPixmap priorityPixmap(AlarmPriority priority, const Palette& palette, int pixels) {
   QPixmap pixmap(2 * pixels, 2 * pixels);
   pixmap.setDevicePixelRatio(2);
@@ -45,37 +41,9 @@ QPixmap priorityPixmap(AlarmPriority priority, const Palette& palette, int pixel
   return pixmap;
 }
 
-QString wordOf(AlarmEventKind kind) {
-  switch (kind) {
-    case AlarmEventKind::Raised:
-      return QCoreApplication::translate("AlarmsPage", "came");
-    case AlarmEventKind::Cleared:
-      return QCoreApplication::translate("AlarmsPage", "went");
-    case AlarmEventKind::Acknowledged:
-      return QCoreApplication::translate("AlarmsPage", "acknowledged");
-    case AlarmEventKind::Shelved:
-      return QCoreApplication::translate("AlarmsPage", "shelved");
-    case AlarmEventKind::Unshelved:
-      return QCoreApplication::translate("AlarmsPage", "taken off the shelf");
-    case AlarmEventKind::ShelfRanOut:
-      return QCoreApplication::translate("AlarmsPage", "shelf ran out");
-    case AlarmEventKind::FloodBegan:
-      return QCoreApplication::translate("AlarmsPage", "flood began");
-    case AlarmEventKind::FloodEnded:
-      return QCoreApplication::translate("AlarmsPage", "flood ended");
-  }
-  return {};
-}
-
 QString csvField(QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; }
 
 }  // namespace
-
-QString alarmTitle(const AlarmRule& rule, const std::string& source) {
-  QString cause = ofRule(rule.cause);
-  if (cause.endsWith('.')) cause.chop(1);
-  return cause + QStringLiteral(": ") + shown(source);
-}
 
 AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
     : Page(parent), place_(place), watch_(watch) {
@@ -264,15 +232,11 @@ QWidget* AlarmsPage::card(const Alarm& alarm) {
   title->setText(alarmTitle(*rule, alarm.key.source));
   grid->addWidget(title, 0, 1, 1, 2);
   auto* time = makeLabel(18, 500, "t1", frame);
-  time->setText(local(alarm.raised).toString(QStringLiteral("HH:mm:ss")));
+  time->setText(localTime(alarm.raised).toString(QStringLiteral("HH:mm:ss")));
   grid->addWidget(time, 0, 3, Qt::AlignRight);
-  QStringList details;
-  for (const std::string& d : alarm.details) details << shown(d);
-  if (alarm.value) details << QStringLiteral("%1 %2").arg(locale().toString(*alarm.value, 'f', 1), shown(rule->unit));
-  const std::pair<QString, QString> rows[] = {
-      {tr("Cause"), details.isEmpty() ? ofRule(rule->cause) : details.join(QStringLiteral("; "))},
-      {tr("Consequence"), ofRule(rule->consequence)},
-      {tr("Action"), ofRule(rule->action)}};
+  const std::pair<QString, QString> rows[] = {{tr("Cause"), causeWords(*rule, alarm)},
+                                              {tr("Consequence"), ruleWords(rule->consequence)},
+                                              {tr("Action"), ruleWords(rule->action)}};
   for (int i = 0; i < 3; ++i) {
     auto* word = makeLabel(15, 400, "t2", frame);
     word->setText(rows[i].first);
@@ -329,13 +293,13 @@ void AlarmsPage::showActive() {
 }
 
 void AlarmsPage::showHistory() {
-  const auto& events = watch_.events();
+  const auto& events = watch_.log().steps();
   historyTable_->setRowCount(static_cast<int>(events.size()));
   const Palette& p = place_.theme.palette();
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
     const AlarmEvent& e = events[static_cast<std::size_t>(i)];
     const AlarmRule* rule = watch_.book().rule(e.key.rule);
-    const QString cells[] = {local(e.time).toString(QStringLiteral("HH:mm:ss")), wordOf(e.kind),
+    const QString cells[] = {localTime(e.time).toString(QStringLiteral("HH:mm:ss")), eventWord(e.kind),
                              rule != nullptr ? alarmTitle(*rule, e.key.source) : tr("alarms"), shown(e.text),
                              shown(e.who)};
     for (int column = 0; column < 5; ++column) {
@@ -358,7 +322,8 @@ void AlarmsPage::showShelved() {
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Alarm& alarm = all[static_cast<std::size_t>(i)];
     const QString cells[] = {alarmTitle(*watch_.book().rule(alarm.key.rule), alarm.key.source),
-                             local(alarm.shelf->until).toString(QStringLiteral("HH:mm")), shown(alarm.shelf->reason)};
+                             localTime(alarm.shelf->until).toString(QStringLiteral("HH:mm")),
+                             shown(alarm.shelf->reason)};
     for (int column = 0; column < 3; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(cells[column]);
@@ -394,8 +359,8 @@ void AlarmsPage::exportHistory() {
   const QString name = QFileDialog::getSaveFileName(this, tr("Export as CSV"), QStringLiteral("alarms.csv"));
   if (name.isEmpty()) return;
   QString text = QStringLiteral("time,what,rule,source,priority,details,by\n");
-  for (const AlarmEvent& e : watch_.events())
-    text += QStringList{local(e.time).toString(Qt::ISODateWithMs),
+  for (const AlarmEvent& e : watch_.log().steps())
+    text += QStringList{localTime(e.time).toString(Qt::ISODateWithMs),
                         QString::fromUtf8(vignole::name(e.kind).data()),
                         shown(e.key.rule),
                         csvField(shown(e.key.source)),

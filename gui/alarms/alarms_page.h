@@ -51,7 +51,4 @@ class AlarmsPage : public Page {
   QString shownActive_;
 };
 
-/// "A camera does not answer while a rail passes: camera 3", without its period.
-[[nodiscard]] QString alarmTitle(const AlarmRule& rule, const std::string& source);
-
 }  // namespace vignole

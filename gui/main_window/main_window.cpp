@@ -29,22 +29,24 @@ constexpr int kTicksPerFigures = 6;  // five times a second: faster digits canno
 }  // namespace
 
 MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), line_(place.line), theme_(place.theme) {
-  setWindowTitle(tr("Vignole"));
+  setWindowTitle(QStringLiteral("Vignole"));
   auto* content = new QWidget(this);
   content->setObjectName(QStringLiteral("page"));
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  header_ = new HeaderBar(theme_, place.session, clock, content);
+  header_ = new HeaderBar(theme_, place.session, place.languages, clock, content);
   stack_ = new QStackedWidget(content);
-  alarm_ = new AlarmLine(theme_, clock, content);
+  alarm_ = new AlarmLine(theme_, content);
   pages_ = new PageBar(theme_, content);
   column->addWidget(header_);
   column->addWidget(stack_, 1);
   column->addWidget(alarm_);
   column->addWidget(pages_);
   setCentralWidget(content);
-  alarms_ = new AlarmWatch(place, {}, this);
+  alarms_ = new AlarmWatch(
+      place, [clock] { return AlarmTime(std::chrono::milliseconds(clock().toMSecsSinceEpoch())); }, this);
+  connect(alarm_, &AlarmLine::acknowledged, alarms_, &AlarmWatch::acknowledge);
   addPages();
   setMinimumSize(1280, 720);
 
@@ -78,7 +80,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 }
 
 void MainWindow::addPages() {
-  monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
+  monitor_ = new MonitorPage(theme_, place_.units, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
   add(PageId::Stripes, new StripesPage(place_, stack_));
   add(PageId::Charts, new ChartsPage(place_, stack_));
@@ -120,8 +122,9 @@ void MainWindow::tick(PullDetail detail) {
   page(shown_)->showLine(line, detail);
   if (detail == PullDetail::Profile) return;
   header_->show(line);
-  alarm_->show(line);
   alarms_->follow(line);
+  alarms_->observeWindow(watchdog_.takeWorstMs());
+  alarm_->show(line, alarms_->book());
   pages_->setAlarms(alarms_->book().active().size());
 }
 
@@ -135,8 +138,7 @@ void MainWindow::bindKeys() {
   bindKey(Qt::CTRL | Qt::Key_D, [this] { theme_.setDark(!theme_.dark()); });
   bindKey(Qt::CTRL | Qt::Key_A, [this] {
     // What the alarm line shows: the most urgent that nobody has seen.
-    const std::vector<Alarm> active = alarms_->book().active();
-    if (!active.empty()) alarms_->acknowledge(active.front().id);
+    if (alarm_->alarm()) alarms_->acknowledge(alarm_->alarm()->id);
   });
   bindKey(Qt::CTRL | Qt::SHIFT | Qt::Key_A, [this] { alarms_->acknowledgeAll(); });
   bindKey(Qt::CTRL | Qt::Key_R, [this] { toggleRun(); });
@@ -166,6 +168,12 @@ void MainWindow::toggleRun() {
   else
     line_.start();
   tick(PullDetail::Everything);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  // What is told by the line is told anew, in the other language.
+  if (event->type() == QEvent::LanguageChange) tick(PullDetail::Everything);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -14,6 +14,7 @@ namespace vignole {
 struct Options {
   PageId page = PageId::Monitor;
   bool dark = false;
+  std::string language;    ///< "de"; empty: as chosen before, else the machine's
   std::string screenshot;  ///< file; empty: none
   QSize size{1920, 1080};
   double afterS = 5;

@@ -13,7 +13,6 @@ constexpr int kWidthWithTrack = 900, kWidthWithUncertainty = 700;
 
 DimensionTable::DimensionTable(const Theme& theme, QWidget* parent)
     : QTableView(parent), theme_(theme), model_(new DimensionModel(this)) {
-  setAccessibleName(tr("Dimensions"));
   setModel(model_);
   setItemDelegate(new DimensionCells(theme, this));
   setHorizontalHeader(new DimensionHeads(theme, this));
@@ -30,6 +29,14 @@ DimensionTable::DimensionTable(const Theme& theme, QWidget* parent)
   horizontalHeader()->setMinimumSectionSize(20);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { emit chosenChanged(chosen()); });
   connect(&theme_, &Theme::changed, this, [this] { viewport()->update(); });
+  retranslate();
+}
+
+void DimensionTable::setUnit(LengthUnit unit) { model_->setUnit(unit); }
+
+void DimensionTable::retranslate() {
+  setAccessibleName(tr("Dimensions"));
+  model_->retranslate();
 }
 
 void DimensionTable::show(const LineSnapshot& line) {

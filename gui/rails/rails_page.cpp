@@ -519,9 +519,9 @@ void RailsPage::showStrips() {
     StripSeries series;
     series.name = inscribed(d);
     series.lengthM = opened_->stored.summary.lengthM;
-    series.nominalMm = summary.nominalMm;
-    series.lowerMm = summary.lowerMm;
-    series.upperMm = summary.upperMm;
+    series.nominal = summary.nominalMm;
+    series.lower = summary.lowerMm;
+    series.upper = summary.upperMm;
     series.value = QStringLiteral("–");
     for (const TrackBin& bin : summary.track)
       if (bin.count > 0) series.points.append({bin.positionM, bin.meanMm});

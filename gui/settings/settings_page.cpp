@@ -14,6 +14,7 @@
 #include "engine/archive/rail_archive.h"
 #include "engine/archive/user_register.h"
 #include "gui/bridge/archive_reader.h"
+#include "gui/languages/languages.h"
 #include "gui/settings/sign_in_panel.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
@@ -29,14 +30,21 @@ SettingsPage::SettingsPage(Workplace& place, QWidget* parent)
   setObjectName(QStringLiteral("page"));
   setFocusPolicy(Qt::ClickFocus);
   screen_ = new Panel(this);
+  languageWord_ = makeLabel(15, 400, "t2", screen_);
   themeWord_ = makeLabel(15, 400, "t2", screen_);
   unitWord_ = makeLabel(15, 400, "t2", screen_);
+  language_ = new QComboBox(screen_);
+  for (const Language& language : Languages::all()) language_->addItem(language.ownName, language.code);
   theme_ = new QComboBox(screen_);
   unit_ = new QComboBox(screen_);
-  for (QComboBox* box : {theme_, unit_}) box->setFont(uiFont(16));
-  for (QWidget* w : std::initializer_list<QWidget*>{themeWord_, theme_, unitWord_, unit_})
+  for (QComboBox* box : {language_, theme_, unit_}) box->setFont(uiFont(16));
+  for (QWidget* w : std::initializer_list<QWidget*>{languageWord_, language_, themeWord_, theme_, unitWord_, unit_})
     screen_->content()->addWidget(w);
   screen_->content()->addStretch(1);
+  for (QWidget* w : std::initializer_list<QWidget*>{languageWord_, language_})
+    w->setVisible(place.languages != nullptr);
+  connect(language_, &QComboBox::activated, this,
+          [this](int row) { place_.languages->use(language_->itemData(row).toString()); });
   connect(theme_, &QComboBox::activated, this, [this](int row) { place_.theme.setDark(row == 1); });
   connect(unit_, &QComboBox::activated, this,
           [this](int row) { place_.units.setLength(row == 1 ? Units::Length::Inch : Units::Length::Millimetre); });
@@ -110,6 +118,8 @@ QWidget* SettingsPage::makePeople() {
 
 void SettingsPage::retranslate() {
   screen_->setTitle(tr("Screen"));
+  languageWord_->setText(tr("Language"));
+  language_->setAccessibleName(tr("Language of the screen"));
   themeWord_->setText(tr("Theme"));
   unitWord_->setText(tr("Lengths"));
   theme_->setAccessibleName(tr("Theme"));
@@ -164,6 +174,7 @@ void SettingsPage::askForName() { signIn_->focusName(); }
 
 void SettingsPage::showScreen() {
   theme_->setCurrentIndex(place_.theme.dark() ? 1 : 0);
+  if (place_.languages != nullptr) language_->setCurrentIndex(language_->findData(place_.languages->code()));
   unit_->setCurrentIndex(place_.units.length() == Units::Length::Inch ? 1 : 0);
 }
 

@@ -44,8 +44,9 @@ class SettingsPage : public Page {
   std::unique_ptr<ArchiveReader> reader_;
   Panel *screen_, *people_, *archive_, *cameras_, *about_;
   SignInPanel* signIn_;
-  QComboBox *theme_, *unit_, *role_;
-  QLabel *themeWord_, *unitWord_, *peopleWords_, *peopleResult_, *archiveWords_, *cameraWords_, *aboutWords_;
+  QComboBox *language_, *theme_, *unit_, *role_;
+  QLabel *languageWord_, *themeWord_, *unitWord_, *peopleWords_, *peopleResult_, *archiveWords_, *cameraWords_,
+      *aboutWords_;
   QTableWidget* accounts_;
   QLineEdit *name_, *password_, *reason_;
   QPushButton* add_;
