@@ -244,7 +244,7 @@ class RailPages {
   void notes(const QRectF& area, double y) {
     write(area.left(), y, Drawing::tr("Notes"), palette_.t1, 18, QFont::Medium);
     QStringList notes = {
-        Drawing::tr("Lengths refer to 15 \u00b0C. U is the expanded uncertainty with k = 2; a value "
+        Drawing::tr("Lengths refer to 15 °C. U is the expanded uncertainty with k = 2; a value "
                     "nearer to a limit than U is near limit: it cannot be decided.")};
     if (report_.recipe->section.standing != SectionStanding::Standard)
       notes << (report_.recipe->section.standing == SectionStanding::Invented

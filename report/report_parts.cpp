@@ -269,13 +269,13 @@ std::vector<Fact> factsOf(const RailReport& report) {
           {Drawing::tr("Length"), numberText(s.lengthM, 2) + QStringLiteral(" m")},
           {Drawing::tr("Profiles"), QString::number(s.profiles)},
           {Drawing::tr("Rail temperature"),
-           QStringLiteral("%1 \u00b1 %2 \u00b0C")
+           QStringLiteral("%1 \u00b1 %2 °C")
                .arg(numberText(s.rail.temperatureC, 1), numberText(s.rail.temperatureUncertaintyC, 1))},
           {Drawing::tr("Calibration"), text(calibrationOf(s))},
           {measured ? Drawing::tr("Measured (UTC)") : Drawing::tr("Written (UTC)"), timeText(time, true)},
           {measured ? Drawing::tr("Measured (local)") : Drawing::tr("Written (local)"), timeText(time, false)},
           {Drawing::tr("Program"), QStringLiteral("Vignole ") + QString::fromStdString(report.programVersion)},
-          {Drawing::tr("Values"), Drawing::tr("mm at 15 \u00b0C")}};
+          {Drawing::tr("Values"), Drawing::tr("mm at 15 °C")}};
 }
 
 void paintFacts(QPainter& painter, const QRectF& area, const std::vector<Fact>& facts, int columns,

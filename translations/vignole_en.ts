@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>vignole::AlarmLine</name>
+    <message numerus="yes">
+        <source>%n alarm(s) acknowledged, still on</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>vignole::AlarmsPage</name>
     <message numerus="yes">
         <source>%n alarm(s)</source>
@@ -32,6 +42,16 @@
     <name>vignole::DiagnosticsPage</name>
     <message numerus="yes">
         <source>%n core(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DimensionModel</name>
+    <message numerus="yes">
+        <source>%n stretch(es) out of tolerance</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>

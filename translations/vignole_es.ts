@@ -2,7 +2,234 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
-    <name>AlarmsPage</name>
+    <name>AlarmRule</name>
+    <message>
+        <source>A camera does not answer while a rail passes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its quarter of the profile is missing; rails pass unmeasured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check power and network cable of the camera, then Diagnostics; stop the line if it does not come back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many triggers give no complete profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stretches of the rail are not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See Diagnostics for the camera that loses frames; check network load and trigger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many profiles do not fit the section of the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The dimensions of this rail are not to be trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the recipe is the one of the rail that runs; look at Stripes for glare or scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurement has stopped while a rail passes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rails pass unmeasured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the measurement; if it stops again, save a support bundle in Diagnostics.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rail has a stretch out of tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rail must not be delivered as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark the rail, see its exceptions on Rails, tell the rolling mill which dimension and where.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rail looks like another section than that of the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is judged by the wrong tolerances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the recipe of the rail that is rolled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration in force is refused, missing or out of date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties are not what the reports state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate, or bring back an earlier calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The seam between two cameras has moved in normal production.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimensions across the seam are biased by about as much.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the mounting of the cameras beside the seam; calibrate the range finders at the next pause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera loses frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profiles are incomplete now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check cable, switch and packet size of the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Much of a laser line is saturated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points on bright patches are less certain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten the exposure of the camera or clean the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A laser line is faint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points are missing or uncertain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clean the windows, check the laser, lengthen the exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is warmer than its calibration allows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions of cameras and lasers move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check cooling and air; calibrate if it stays so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is nearly full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records of rails cannot be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prune the archive or enlarge the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The archive does not answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check database and network; records are sent when it is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The queues of the measurement fill up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profiles will be dropped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what else runs on this machine; lower the trigger rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A toleranced dimension is not measured while a rail passes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rail cannot be judged by it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clean windows and check lasers; see Stripes for where the line is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window answers slowly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it shows is late; the measurement goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what else runs on this machine; see Diagnostics.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AlarmWords</name>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rail %1 out of tolerance: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>came</source>
         <translation type="unfinished"></translation>
@@ -33,6 +260,61 @@
     </message>
     <message>
         <source>flood ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Dimension</name>
+    <message>
+        <source>Rail height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rail flange height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Head form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Head width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Head width (AREMA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot thickness left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot thickness right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rail asymmetry left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rail asymmetry right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Web thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Head radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot concavity</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -609,6 +891,249 @@
         <source>range finders</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>rail %1 has passed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line was started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line was stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 signed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 signed out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>near limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Judgement</name>
+    <message>
+        <source>from %1 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 above the limit %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 below the limit %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 beyond the limit %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cameras %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not measured from %2 on: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 near limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single profiles outside the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 inside the limit, closer than U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 outside the limit, by less than U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within the guard band earlier on this rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 within the guard band earlier on this rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dimensions within limits up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for a rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gauge is ready; values appear with the head of the rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is not running: Ctrl+R starts it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recipe gives no tolerance to any dimension</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this rail was not measured completely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not measured on enough of this rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no profiles since %1, %2 ago. Hold this rail.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held: last profile at %1, %2 ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 cameras, %3 profiles/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no profiles for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not trusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no profile yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Degraded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 incomplete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line is stopped: Ctrl+R starts it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready for the next rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alarm on this rail</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Page</name>
@@ -676,6 +1201,29 @@
     <name>vignole::AlarmLine</name>
     <message>
         <source>Alarm, priority %1: %2. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s) acknowledged, still on</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge the shown alarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge the shown alarm (Ctrl+A)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1251,15 +1799,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 stretches out of tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>waiting for a profile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2 mm, deviation %3, U %4, %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1268,10 +1808,6 @@
     </message>
     <message>
         <source>Dimension</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1288,6 +1824,25 @@
     </message>
     <message>
         <source>Along the rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not meas.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) out of tolerance</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 %3, deviation %4, U %5, %6</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1329,18 +1884,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Light theme</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1372,6 +1915,22 @@
         <source>Line: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>SIMULATION</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation: the rails are not real</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rails come from the virtual rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vignole::LastRails</name>
@@ -1397,13 +1956,6 @@
     </message>
     <message>
         <source>Last rails</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>vignole::MainWindow</name>
-    <message>
-        <source>Vignole</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1483,6 +2035,10 @@
     </message>
     <message>
         <source>%1 (Ctrl+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no value</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2126,6 +2682,14 @@
 %2 rails are kept.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language of the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -2187,13 +2751,9 @@
     </message>
 </context>
 <context>
-    <name>vignole::SimulationMark</name>
+    <name>vignole::StripChart</name>
     <message>
-        <source>Simulation: the rails are not real</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The rails come from the virtual rig</source>
+        <source>%1 along the rail: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2425,11 +2985,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gauge: </source>
+        <source>Gauge: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>SIMULATION, </source>
+        <source>SIMULATION, %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -58,7 +58,9 @@ void AlarmWatch::lookBack() {
   archive_->ask("before", [this](const Archive* archive, const std::string& /*problem*/) -> ArchiveReader::Answer {
     if (archive == nullptr) return {};
     const AlarmHistory history(*archive);
-    auto alarms = history.alarms({.limit = kEarlierRead});
+    AlarmQuery query;
+    query.limit = kEarlierRead;
+    auto alarms = history.alarms(query);
     auto events = history.events({}, {}, kEarlierRead);
     if (!alarms || !events) return {};
     return [this, alarms = std::move(*alarms), events = std::move(*events)] {

@@ -138,7 +138,7 @@ HeaderBar::HeaderBar(const Theme& theme, const Session& session, Languages* lang
   languageButton_->setVisible(languages_ != nullptr);
   if (languages_ != nullptr) addLanguages();
   themeButton_ = makeButton(theme, QStringLiteral("theme"), this);
-  themeButton_->setFixedWidth(48);
+  themeButton_->setFixedWidth(52);
   connect(&theme_, &Theme::changed, this, &HeaderBar::retranslate);
   auto* row = new QHBoxLayout(this);
   row->setSpacing(0);
