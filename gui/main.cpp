@@ -145,13 +145,21 @@ int run(QApplication& app, const Options& options) {
   if (const auto chosen = dimensionFromName(options.chosenDimension)) window.monitor().table().choose(chosen);
   window.showPage(options.page);
   window.startTicking();
+  // Once on a machine, and when it is asked for.
+  if (const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
+      options.tour || (remembers && !chosen.value(QStringLiteral("tourSeen"), false).toBool()))
+    window.startTour();
+  if (remembers)
+    QObject::connect(&window, &MainWindow::tourLeft, [] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole")).setValue(QStringLiteral("tourSeen"), true);
+    });
 
   int exitCode = kDone;
   if (!options.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(options.afterS * 1000), &window, [&] {
       window.tick(PullDetail::Everything);
       if (auto saved = savePicture(window, options.screenshot); !saved) exitCode = fail(saved.error());
-      app.quit();
+      QCoreApplication::exit();  // quit() would ask the window, which asks people
     });
   } else if (options.selfTestS) {
     // Shares and memory are those of the running program: fonts, buffers and the first picture come before.
@@ -161,7 +169,7 @@ int run(QApplication& app, const Options& options) {
       const std::string json =
           selfTestJson((*line)->pull(PullDetail::Everything), window.watchdog(), begin, processUse());
       std::printf("%s\n", json.c_str());
-      app.quit();
+      QCoreApplication::exit();  // quit() would ask the window, which asks people
     });
   }
   const int code = QApplication::exec();

@@ -73,6 +73,18 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Engine", "window"),
     QT_TRANSLATE_NOOP("Engine", "disk"),
     QT_TRANSLATE_NOOP("Engine", "operator"),
+    QT_TRANSLATE_NOOP("Engine", "is shorter than %1 characters"),
+    QT_TRANSLATE_NOOP("Engine", "the old one is wrong"),
+    QT_TRANSLATE_NOOP("Engine", "too many wrong ones; locked until %1"),
+    QT_TRANSLATE_NOOP("Engine", "needs a reason; say why"),
+    QT_TRANSLATE_NOOP("Engine", "an entry needs who and what"),
+    QT_TRANSLATE_NOOP("Engine", "password"),
+    QT_TRANSLATE_NOOP("Engine", "is no user here"),
+    QT_TRANSLATE_NOOP("Engine", "is longer than 1024 bytes"),
+    QT_TRANSLATE_NOOP("Engine", "a name has 1 to 64 characters"),
+    QT_TRANSLATE_NOOP("Engine", "the first user must be an administrator"),
+    QT_TRANSLATE_NOOP("Engine", "is a user already"),
+    QT_TRANSLATE_NOOP("Engine", "is the last administrator; make another one first"),
     QT_TRANSLATE_NOOP("Engine", "nominal (virtual rig)"),
     QT_TRANSLATE_NOOP("Engine", "range finders"),
 };
@@ -127,6 +139,8 @@ QString inWords(const QString& english, int depth) {
 }
 
 }  // namespace
+
+QString inWords(const Error& error) { return inWords(error.where) + QStringLiteral(": ") + inWords(error.what); }
 
 QString inWords(const std::string& english) { return inWords(QString::fromStdString(english), 0); }
 

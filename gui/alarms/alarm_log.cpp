@@ -14,6 +14,17 @@ TimeUs microseconds(AlarmTime time) {
   return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
 }
 
+/// All that came so far, not only what came first.
+std::string detailsOf(std::uint64_t id, const AlarmBook& book) {
+  for (const Alarm& alarm : book.active()) {
+    if (alarm.id != id) continue;
+    std::string text;
+    for (const std::string& detail : alarm.details) text += (text.empty() ? "" : "; ") + detail;
+    return text;
+  }
+  return {};
+}
+
 AlarmRecord recordOf(const AlarmEvent& event, const AlarmRule& rule, const std::string& rail) {
   AlarmRecord record;
   record.rule = event.key.rule;
@@ -39,9 +50,9 @@ void AlarmLog::note(const AlarmEvent& event, const AlarmBook& book, const std::s
     alarms_.insert_or_assign(event.alarm, recordOf(event, *rule, rail));
   if (const auto at = alarms_.find(event.alarm); at != alarms_.end()) {
     AlarmRecord& record = at->second;
+    if (const std::string details = detailsOf(event.alarm, book); !details.empty()) record.details = details;
     if (event.kind == AlarmEventKind::Cleared) {
       record.clearedUs = time;
-      if (!event.text.empty()) record.details = event.text;
     } else if (event.kind == AlarmEventKind::Acknowledged) {
       record.acknowledgedUs = time;
       record.acknowledgedBy = event.who;

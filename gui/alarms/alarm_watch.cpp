@@ -48,8 +48,11 @@ AlarmWatch::AlarmWatch(Workplace& place, Clock clock, QObject* parent)
     : QObject(parent), place_(place), clock_(clock ? std::move(clock) : systemNow), book_(*AlarmBook::create()) {
   if (place.archive != nullptr) archive_ = std::make_unique<ArchiveReader>(place.archiveUrl);
   log_ = std::make_unique<AlarmLog>(archive_.get());
+  began_ = clock_();
   lookBack();
 }
+
+double AlarmWatch::runningS() const { return std::chrono::duration<double>(clock_() - began_).count(); }
 
 AlarmWatch::~AlarmWatch() { archive_.reset(); }
 
@@ -221,11 +224,15 @@ void AlarmWatch::acknowledge(std::uint64_t alarm) {
   take();
 }
 
+void AlarmWatch::acknowledge(const std::vector<std::uint64_t>& alarms) {
+  book_.acknowledge(alarms, who(), clock_());
+  take();
+}
+
 void AlarmWatch::acknowledgeAll() {
   std::vector<std::uint64_t> all;
   for (const Alarm& alarm : book_.active()) all.push_back(alarm.id);
-  book_.acknowledge(all, who(), clock_());
-  take();
+  acknowledge(all);
 }
 
 Expected<void> AlarmWatch::shelve(const AlarmKey& key, const std::string& reason, AlarmDuration time) {

@@ -33,9 +33,11 @@ class AlarmWatch : public QObject {
   [[nodiscard]] const AlarmBook& book() const { return book_; }
   [[nodiscard]] AlarmRates rates() const { return book_.rates(clock_()); }
   [[nodiscard]] AlarmTime now() const { return clock_(); }
+  [[nodiscard]] double runningS() const;  ///< since this watch began
   [[nodiscard]] const AlarmLog& log() const { return *log_; }
 
   void acknowledge(std::uint64_t alarm);
+  void acknowledge(const std::vector<std::uint64_t>& alarms);
   void acknowledgeAll();
   [[nodiscard]] Expected<void> shelve(const AlarmKey& key, const std::string& reason, AlarmDuration time);
   [[nodiscard]] Expected<void> unshelve(const AlarmKey& key);
@@ -56,6 +58,7 @@ class AlarmWatch : public QObject {
   Workplace& place_;
   Clock clock_;
   AlarmBook book_;
+  AlarmTime began_{};
   std::string rail_;  ///< source of the alarms of the rail that passes
   std::array<bool, kCameraCount> lost_{};
   bool unmeasured_ = false;

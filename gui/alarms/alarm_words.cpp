@@ -92,11 +92,11 @@ QString alarmTitle(const AlarmRule& rule, const std::string& source, const std::
     const QString rail = QString::fromStdString(source).section(' ', 1);
     return AlarmWords::tr("Rail %1 out of tolerance: %2").arg(rail, which);
   }
-  if (rule.id == "camera.lost")
+  if (rule.id == "camera.lost" && !source.empty())
     return AlarmWords::tr("Camera %1 lost").arg(QString::fromStdString(source).section(' ', -1));
   QString cause = ruleWords(rule.cause);
   while (cause.endsWith('.') || cause.endsWith(QChar(0x3002))) cause.chop(1);
-  if (source == "line" || source == "pipeline" || source == "archive" || source == "calibration" ||
+  if (source.empty() || source == "line" || source == "pipeline" || source == "archive" || source == "calibration" ||
       source == "window" || source == "disk")
     return cause;
   return AlarmWords::tr("%1: %2").arg(cause, inWords(source));
@@ -110,26 +110,9 @@ QString causeWords(const AlarmRule& rule, const Alarm& alarm) {
   return details.isEmpty() ? ruleWords(rule.cause) : details.join(QStringLiteral("; "));
 }
 
-QString eventWord(AlarmEventKind kind) {
-  switch (kind) {
-    case AlarmEventKind::Raised:
-      return AlarmWords::tr("came");
-    case AlarmEventKind::Cleared:
-      return AlarmWords::tr("went");
-    case AlarmEventKind::Acknowledged:
-      return AlarmWords::tr("acknowledged");
-    case AlarmEventKind::Shelved:
-      return AlarmWords::tr("shelved");
-    case AlarmEventKind::Unshelved:
-      return AlarmWords::tr("taken off the shelf");
-    case AlarmEventKind::ShelfRanOut:
-      return AlarmWords::tr("shelf ran out");
-    case AlarmEventKind::FloodBegan:
-      return AlarmWords::tr("flood began");
-    case AlarmEventKind::FloodEnded:
-      return AlarmWords::tr("flood ended");
-  }
-  return {};
+QString personWord(const std::string& who) {
+  if (who.empty()) return QStringLiteral("–");
+  return who == "operator" ? inWords(who) : QString::fromStdString(who);
 }
 
 QDateTime localTime(AlarmTime time) { return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count()); }

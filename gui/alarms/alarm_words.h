@@ -15,8 +15,8 @@ namespace vignole {
 [[nodiscard]] QString ruleWords(const std::string& english);
 /// Details and value where there are any, else the rule's cause.
 [[nodiscard]] QString causeWords(const AlarmRule& rule, const Alarm& alarm);
-/// "came", "went", "acknowledged" ...
-[[nodiscard]] QString eventWord(AlarmEventKind kind);
+/// A name, or the operator who has none, or an en dash for nobody.
+[[nodiscard]] QString personWord(const std::string& who);
 [[nodiscard]] QDateTime localTime(AlarmTime time);
 
 }  // namespace vignole

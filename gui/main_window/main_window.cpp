@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -13,8 +14,11 @@
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
 #include "gui/main_window/page_bar.h"
+#include "gui/main_window/tour.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
+#include "gui/monitor/profile_canvas.h"
+#include "gui/monitor/verdict_panel.h"
 #include "gui/quality/quality_page.h"
 #include "gui/rails/rails_page.h"
 #include "gui/recipes/recipes_page.h"
@@ -47,7 +51,7 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
   setCentralWidget(content);
   alarms_ = new AlarmWatch(
       place, [clock] { return AlarmTime(std::chrono::milliseconds(clock().toMSecsSinceEpoch())); }, this);
-  connect(alarm_, &AlarmLine::acknowledged, alarms_, &AlarmWatch::acknowledge);
+  connect(alarm_, &AlarmLine::acknowledged, alarms_, qOverload<std::uint64_t>(&AlarmWatch::acknowledge));
   addPages();
   setMinimumSize(1280, 720);
 
@@ -94,6 +98,7 @@ void MainWindow::addPages() {
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
   settings_ = new SettingsPage(place_, stack_);
   add(PageId::Settings, settings_);
+  connect(settings_, &SettingsPage::tourAsked, this, &MainWindow::startTour);
 }
 
 void MainWindow::add(PageId page, Page* widget) {
@@ -113,6 +118,47 @@ void MainWindow::showPage(PageId page) {
   tick(PullDetail::Everything);
 }
 
+void MainWindow::startTour() {
+  if (tour_) return;
+  showPage(PageId::Monitor);
+  const std::vector<Tour::Step> steps = {
+      {&monitor_->verdict(), [] { return tr("Is this rail good?"); },
+       [] {
+         return tr(
+             "The large word is the verdict of the rail so far; beside it stands whether the gauge can be "
+             "trusted. Both are made for two metres' distance.");
+       }},
+      {&monitor_->canvas(), [] { return tr("The measured profile"); },
+       [] {
+         return tr(
+             "The rail as it is measured, over its section; deviations are drawn twenty times larger. Keys 1 to "
+             "4 show whole, head, web and foot, + and − change the magnification, C colours by camera.");
+       }},
+      {&monitor_->table(), [] { return tr("Every dimension"); },
+       [] {
+         return tr(
+             "Value, deviation, uncertainty and where it lies in its tolerance; the hatched ends are closer to "
+             "a limit than the uncertainty. Choose a row to see the dimension in the drawing.");
+       }},
+      {header_, [] { return tr("What runs"); },
+       [] {
+         return tr(
+             "The line, the rail and who is here. SIMULATION: without a site the rails come from a virtual rig, "
+             "measured by the real engine.");
+       }},
+      {pages_, [] { return tr("Ten pages"); },
+       [] {
+         return tr(
+             "F1 to F10, in this order: rails that passed are on F4, alarms on F8, language, units and people on "
+             "F10. Ctrl+R stops and starts the line.");
+       }}};
+  tour_ = new Tour(theme_, steps, centralWidget());
+  connect(tour_, &Tour::left, this, [this] {
+    monitor_->setFocus();
+    emit tourLeft();
+  });
+}
+
 void MainWindow::startTicking() {
   watchdog_.start();
   ticks_.start();
@@ -124,6 +170,10 @@ void MainWindow::tick(PullDetail detail) {
   page(shown_)->showLine(line, detail);
   if (detail == PullDetail::Profile) return;
   header_->show(line);
+  if (closing_ == Closing::AfterRail && line.state != LineState::Measuring) {
+    closing_ = Closing::Now;
+    QTimer::singleShot(0, this, &QWidget::close);
+  }
   alarms_->follow(line);
   alarms_->observeWindow(watchdog_.takeWorstMs());
   alarm_->show(line, alarms_->book());
@@ -178,7 +228,41 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) tick(PullDetail::Everything);
 }
 
+void MainWindow::askBeforeClosing() {
+  if (question_) {
+    question_->raise();
+    return;
+  }
+  question_ = new QMessageBox(QMessageBox::NoIcon, tr("Close Vignole"), tr("A rail is being measured."),
+                              QMessageBox::NoButton, this);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  question_->setInformativeText(tr("What has been measured of it is kept; the rest would pass unmeasured."));
+  QPushButton* after = question_->addButton(tr("Close after this rail"), QMessageBox::AcceptRole);
+  QPushButton* now = question_->addButton(tr("Close now"), QMessageBox::DestructiveRole);
+  QPushButton* stay = question_->addButton(tr("Stay"), QMessageBox::RejectRole);
+  question_->setDefaultButton(after);
+  question_->setEscapeButton(stay);
+  for (QPushButton* button : {after, now, stay}) {
+    button->setFont(uiFont(16, 500));
+    button->setAccessibleName(button->text());
+  }
+  connect(after, &QPushButton::clicked, this, [this] {
+    closing_ = Closing::AfterRail;
+    tick(PullDetail::Everything);
+  });
+  connect(now, &QPushButton::clicked, this, [this] {
+    closing_ = Closing::Now;
+    close();
+  });
+  question_->open();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (closing_ != Closing::Now && line_.pull(PullDetail::Everything).state == LineState::Measuring) {
+    event->ignore();
+    askBeforeClosing();
+    return;
+  }
   ticks_.stop();
   seconds_.stop();
   line_.stop();  // asks; the line's owner joins its threads

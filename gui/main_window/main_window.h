@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 #include <array>
 #include <functional>
@@ -11,6 +12,7 @@
 #include "gui/bridge/workplace.h"
 #include "gui/main_window/page.h"
 
+class QMessageBox;
 class QStackedWidget;
 
 namespace vignole {
@@ -21,6 +23,7 @@ class HeaderBar;
 class MonitorPage;
 class PageBar;
 class SettingsPage;
+class Tour;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -43,7 +46,15 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] HeaderBar& header() { return *header_; }
   [[nodiscard]] AlarmWatch& alarms() { return *alarms_; }
   [[nodiscard]] AlarmLine& alarmLine() { return *alarm_; }
+  /// A few steps over Monitor; `left` of it is told by tourLeft().
+  void startTour();
+  [[nodiscard]] Tour* tour() const { return tour_; }
+  /// Asked while a rail is measured; null: nothing is.
+  [[nodiscard]] QMessageBox* question() const { return question_; }
   [[nodiscard]] const EventLoopWatchdog& watchdog() const { return watchdog_; }
+
+ signals:
+  void tourLeft();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -58,6 +69,7 @@ class MainWindow : public QMainWindow {
   void bindKey(const QKeySequence& key, std::function<void()> action);
   void toggleRun();
   void signInOrOut();
+  void askBeforeClosing();
 
   Workplace& place_;
   Line& line_;
@@ -66,6 +78,9 @@ class MainWindow : public QMainWindow {
   QTimer ticks_, seconds_;
   QTimer idle_;  ///< until a person who signed in is taken to have gone
   int tickNumber_ = 0;
+  /// Closing: at once where a person said so, or when the rail under way has passed.
+  enum class Closing { No, AfterRail, Now } closing_ = Closing::No;
+  QPointer<QMessageBox> question_;
   HeaderBar* header_;
   QStackedWidget* stack_;
   std::array<Page*, kPageCount> all_{};
@@ -75,6 +90,7 @@ class MainWindow : public QMainWindow {
   AlarmLine* alarm_;
   AlarmWatch* alarms_;
   PageBar* pages_;
+  QPointer<Tour> tour_;
 };
 
 }  // namespace vignole

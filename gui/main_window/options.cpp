@@ -91,6 +91,7 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
   app.add_option("--size", raw.size, "of the window, WIDTHxHEIGHT (default 1920x1080)");
   app.add_option("--after", options.afterS, "seconds before the screenshot (default 5)")
       ->check(CLI::Range(0.0, 86400.0));
+  app.add_flag("--tour", options.tour, "show the tour, even with --screenshot");
   app.add_option("--choose", options.chosenDimension, "dimension whose row is chosen at the start");
   app.add_option("--self-test", options.selfTestS, "run SECONDS, print one JSON document and leave")
       ->check(CLI::Range(0.1, 86400.0));

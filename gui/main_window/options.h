@@ -20,6 +20,7 @@ struct Options {
   double afterS = 5;
   std::optional<double> selfTestS;
   std::string chosenDimension;  ///< shown as if its row had been chosen; empty: none
+  bool tour = false;            ///< shown with a picture too
   std::string archive;          ///< URL; empty: the usual one where a person sits, else none
   VirtualLineSettings line;
 };

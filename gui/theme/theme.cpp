@@ -76,6 +76,11 @@ QString Theme::styleSheet() const {
     QLabel[ink="t1"] { color: @t1; }
     QLabel[ink="t2"] { color: @t2; }
     QLabel[ink="t3"] { color: @t3; }
+    QPushButton#inLine { min-height: 32px; }
+    QListWidget { background: @panel; color: @t1; border: 0; outline: 0; }
+    QListWidget::item { padding: 0 12px; border-left: 4px solid @panel; }
+    QListWidget::item:selected { background: @panel2; color: @t1; border-left: 4px solid @accent; }
+    QListWidget:focus::item:selected { background: @accsoft; }
     QPushButton#first { background: @accent; color: @panel2; border: 1px solid @accent; }
     QPushButton#first:disabled { background: @panel2; color: @t3; border: 1px solid @line; }
     QPushButton#first:focus { border: 3px solid @t1; padding: 0 11px; min-height: 38px; }
