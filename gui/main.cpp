@@ -96,7 +96,7 @@ Records openRecords(const Options& options, bool unattended) {
   return records;
 }
 
-int run(QApplication& app, const Options& options) {
+int run(const Options& options) {
   if (auto fonts = installFonts(); !fonts) return fail(fonts.error());
   auto line = VirtualLine::create(options.line);
   if (!line) return fail(line.error());
@@ -190,8 +190,8 @@ int main(int argc, char** argv) {
   if (auto platform = choosePlatform(*outcome.options); !platform) return fail(platform.error());
   provideRuntimeDirectory();
   int qtArgc = 1;  // the command line is ours; Qt's own options come from its environment variables
-  QApplication app(qtArgc, argv);
+  const QApplication app(qtArgc, argv);
   QApplication::setApplicationName(QStringLiteral("vignole"));
   QApplication::setApplicationVersion(QStringLiteral(VIGNOLE_VERSION));
-  return run(app, *outcome.options);
+  return run(*outcome.options);
 }

@@ -79,6 +79,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Engine", "needs a reason; say why"),
     QT_TRANSLATE_NOOP("Engine", "an entry needs who and what"),
     QT_TRANSLATE_NOOP("Engine", "password"),
+    QT_TRANSLATE_NOOP("Engine", "there is none"),
+    QT_TRANSLATE_NOOP("Engine", "no archive was asked for (--archive)"),
     QT_TRANSLATE_NOOP("Engine", "is no user here"),
     QT_TRANSLATE_NOOP("Engine", "is longer than 1024 bytes"),
     QT_TRANSLATE_NOOP("Engine", "a name has 1 to 64 characters"),

@@ -947,6 +947,14 @@
         <source>is the last administrator; make another one first</source>
         <translation>ist der letzte Administrator; erst einen anderen bestimmen</translation>
     </message>
+    <message>
+        <source>there is none</source>
+        <translation>es gibt keines</translation>
+    </message>
+    <message>
+        <source>no archive was asked for (--archive)</source>
+        <translation>kein Archiv verlangt (--archive)</translation>
+    </message>
 </context>
 <context>
     <name>Judgement</name>
@@ -3756,6 +3764,10 @@
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
     </message>
 </context>
 <context>

@@ -947,6 +947,14 @@
         <source>is the last administrator; make another one first</source>
         <translation>es el último administrador; nombre antes otro</translation>
     </message>
+    <message>
+        <source>there is none</source>
+        <translation>no hay ninguno</translation>
+    </message>
+    <message>
+        <source>no archive was asked for (--archive)</source>
+        <translation>no se pidió archivo (--archive)</translation>
+    </message>
 </context>
 <context>
     <name>Judgement</name>
@@ -3756,6 +3764,10 @@ Se guardan %2 carriles.</translation>
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 no se puede escribir</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
     </message>
 </context>
 <context>

@@ -947,6 +947,14 @@
         <source>is the last administrator; make another one first</source>
         <translation>est le dernier administrateur ; en nommer d&apos;abord un autre</translation>
     </message>
+    <message>
+        <source>there is none</source>
+        <translation>il n&apos;y en a pas</translation>
+    </message>
+    <message>
+        <source>no archive was asked for (--archive)</source>
+        <translation>aucune archive demandée (--archive)</translation>
+    </message>
 </context>
 <context>
     <name>Judgement</name>
@@ -3756,6 +3764,10 @@
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 ne peut être écrit</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
     </message>
 </context>
 <context>

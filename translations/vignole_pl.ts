@@ -947,6 +947,14 @@
         <source>is the last administrator; make another one first</source>
         <translation>jest ostatnim administratorem; najpierw wyznacz innego</translation>
     </message>
+    <message>
+        <source>there is none</source>
+        <translation>nie ma go</translation>
+    </message>
+    <message>
+        <source>no archive was asked for (--archive)</source>
+        <translation>nie zażądano archiwum (--archive)</translation>
+    </message>
 </context>
 <context>
     <name>Judgement</name>
@@ -3768,6 +3776,10 @@ Zachowane szyny: %2.</translation>
     <message>
         <source>%1 cannot be written</source>
         <translation>Nie można zapisać %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
     </message>
 </context>
 <context>

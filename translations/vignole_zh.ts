@@ -947,6 +947,14 @@
         <source>is the last administrator; make another one first</source>
         <translation>是最后一位管理员；请先指定另一位</translation>
     </message>
+    <message>
+        <source>there is none</source>
+        <translation>没有</translation>
+    </message>
+    <message>
+        <source>no archive was asked for (--archive)</source>
+        <translation>未指定档案库（--archive）</translation>
+    </message>
 </context>
 <context>
     <name>Judgement</name>
@@ -3744,6 +3752,10 @@
     <message>
         <source>%1 cannot be written</source>
         <translation>无法写入 %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
     </message>
 </context>
 <context>

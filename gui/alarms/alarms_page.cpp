@@ -87,6 +87,7 @@ AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
     shownActive_.clear();
     if (isVisible()) refresh();
   });
+  setWhole(false);
   retranslate();
 }
 
@@ -150,8 +151,8 @@ void AlarmsPage::makeHealth() {
   health_->setSelectionMode(QAbstractItemView::NoSelection);
   health_->setFocusPolicy(Qt::NoFocus);
   health_->horizontalHeader()->hide();
-  health_->verticalHeader()->setDefaultSectionSize(32);
-  health_->setFixedHeight(4 * 32 + 2);
+  health_->verticalHeader()->setDefaultSectionSize(30);
+  health_->setFixedHeight(4 * 30 + 2);
   health_->setIconSize({18, 18});
   healthPanel_->content()->addWidget(health_);
 }
@@ -196,15 +197,25 @@ void AlarmsPage::changeEvent(QEvent* event) {
 
 void AlarmsPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
+  setWhole(height() >= kHeightForAll);
   shownActive_.clear();
   refresh();
 }
 
 void AlarmsPage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
-  const bool high = height() >= kHeightForAll;
-  chart_->setVisible(high);
-  healthPanel_->setVisible(high);
+  setWhole(height() >= kHeightForAll);
+}
+
+void AlarmsPage::hideEvent(QHideEvent* event) {
+  Page::hideEvent(event);
+  setWhole(false);  // a page that is not shown must not keep the window from getting smaller
+}
+
+void AlarmsPage::setWhole(bool whole) {
+  chart_->setVisible(whole);
+  healthPanel_->setVisible(whole);
+  layout()->activate();
 }
 
 void AlarmsPage::showLine(const LineSnapshot& /*line*/, PullDetail detail) {

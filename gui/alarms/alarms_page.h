@@ -28,6 +28,7 @@ class AlarmsPage : public Page {
  protected:
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -38,6 +39,7 @@ class AlarmsPage : public Page {
   void showRates();
   void shelve();
   void showHealth();
+  void setWhole(bool whole);  ///< with chart and health
   void makeRate();
   void makeShelving();
   void makeHealth();

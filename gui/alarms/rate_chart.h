@@ -17,7 +17,7 @@ class RateChart : public QWidget {
   void show(const QVector<double>& agesS);
   [[nodiscard]] const QVector<int>& bars() const { return bars_; }  ///< oldest first
   [[nodiscard]] QSize sizeHint() const override { return {480, 180}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 100}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 84}; }
 
  protected:
   void changeEvent(QEvent* event) override;

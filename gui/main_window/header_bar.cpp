@@ -64,6 +64,7 @@ HeaderField::HeaderField(const Theme& theme, const QString& caption, const QStri
 void HeaderField::setCaption(const QString& caption) {
   if (caption == caption_) return;
   caption_ = caption;
+  setAccessibleName(QStringLiteral("%1: %2").arg(caption_, value_));
   updateGeometry();
   update();
 }
@@ -197,6 +198,7 @@ void HeaderBar::retranslate() {
   languageButton_->setToolTip(tr("Language"));
   nameUser();
   layout()->setContentsMargins(stateWidth(), 0, 6, 0);
+  makeRoom();
   update();
 }
 
@@ -258,9 +260,23 @@ void HeaderBar::beat() {
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
+  makeRoom();
+}
+
+void HeaderBar::makeRoom() {
   // The recipe names the section, and the heat is asked for at a desk: these two go first.
-  section_->setVisible(width() >= 1600);
-  heat_->setVisible(width() >= 1440);
+  HeaderField* const byWorth[] = {section_, heat_, speed_, recipe_};
+  int needed = layout()->contentsMargins().left() + layout()->contentsMargins().right() + 60;
+  for (const HeaderField* field : {rail_, heat_, section_, recipe_, length_, speed_, gauge_, time_})
+    needed += field->sizeHint().width();
+  for (const QWidget* w :
+       std::initializer_list<const QWidget*>{simulation_, userButton_, languageButton_, themeButton_})
+    if (!w->isHidden()) needed += w->sizeHint().width();
+  for (HeaderField* field : byWorth) {
+    const bool fits = needed <= width();
+    field->setVisible(fits);
+    if (!fits) needed -= field->sizeHint().width();
+  }
 }
 
 void HeaderBar::paintEvent(QPaintEvent* event) {

@@ -67,6 +67,7 @@ class HeaderBar : public QFrame {
   void addLanguages();
   void retranslate();
   void nameUser();
+  void makeRoom();  ///< fields that matter least leave first
 
   const Theme& theme_;
   std::function<QDateTime()> clock_;

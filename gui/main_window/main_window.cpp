@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -14,7 +13,6 @@
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
 #include "gui/main_window/page_bar.h"
-#include "gui/main_window/tour.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
 #include "gui/monitor/profile_canvas.h"

@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QPointer>
 #include <QTimer>
 #include <array>
@@ -11,8 +12,8 @@
 #include "gui/bridge/event_loop_watchdog.h"
 #include "gui/bridge/workplace.h"
 #include "gui/main_window/page.h"
+#include "gui/main_window/tour.h"
 
-class QMessageBox;
 class QStackedWidget;
 
 namespace vignole {
@@ -23,7 +24,6 @@ class HeaderBar;
 class MonitorPage;
 class PageBar;
 class SettingsPage;
-class Tour;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT

@@ -58,6 +58,12 @@ void DimensionModel::show(const LineSnapshot& line) {
   emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
+QStringList DimensionModel::stateWords() {
+  QStringList words{tr("Not meas."), tr("Held")};
+  for (const Verdict v : {Verdict::Pass, Verdict::Near, Verdict::Fail, Verdict::NoLimit}) words << wordOf(v);
+  return words;
+}
+
 void DimensionModel::setUnit(LengthUnit unit) {
   unit_ = unit;
   for (DimensionRow& row : rows_) row.unit = unit;

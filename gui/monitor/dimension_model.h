@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <QPointF>
+#include <QStringList>
 #include <QVector>
 #include <optional>
 #include <vector>
@@ -45,6 +46,8 @@ class DimensionModel : public QAbstractTableModel {
   void show(const LineSnapshot& line);
   void setUnit(LengthUnit unit);
   void retranslate();
+  /// All words that State may show.
+  [[nodiscard]] static QStringList stateWords();
   [[nodiscard]] const DimensionRow& row(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

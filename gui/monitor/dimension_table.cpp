@@ -1,8 +1,10 @@
 #include "gui/monitor/dimension_table.h"
 
+#include <QFontMetricsF>
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 
 namespace vignole {
 
@@ -37,6 +39,7 @@ void DimensionTable::setUnit(LengthUnit unit) { model_->setUnit(unit); }
 void DimensionTable::retranslate() {
   setAccessibleName(tr("Dimensions"));
   model_->retranslate();
+  layOutColumns();
 }
 
 void DimensionTable::show(const LineSnapshot& line) {
@@ -84,13 +87,20 @@ void DimensionTable::resizeEvent(QResizeEvent* event) {
   layOutColumns();
 }
 
+int DimensionTable::stateWidth() const {
+  const QFontMetricsF metrics(uiFont(16, 500));
+  double widest = 0;
+  for (const QString& word : DimensionModel::stateWords()) widest = std::max(widest, metrics.horizontalAdvance(word));
+  return 16 + 34 + static_cast<int>(std::ceil(widest)) + 8;
+}
+
 void DimensionTable::layOutColumns() {
   const int width = viewport()->width();
   const bool track = width >= kWidthWithTrack, uncertainty = width >= kWidthWithUncertainty;
   setColumnHidden(DimensionModel::Track, !track);
   setColumnHidden(DimensionModel::Uncertainty, !uncertainty);
   // Shares of the mock-up's 1054 px; what is over goes to the bar and the course.
-  const int state = 140, name = width < kWidthWithTrack ? 84 : 96;
+  const int state = std::max(140, stateWidth()), name = width < kWidthWithTrack ? 84 : 96;
   const int value = width < kWidthWithTrack ? 112 : 116, deviation = width < kWidthWithTrack ? 92 : 106;
   const int u = uncertainty ? 88 : 0;
   int rest = width - state - name - value - deviation - u;

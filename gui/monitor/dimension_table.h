@@ -33,6 +33,7 @@ class DimensionTable : public QTableView {
 
  private:
   void layOutColumns();
+  [[nodiscard]] int stateWidth() const;
   void spanReasons();
 
   const Theme& theme_;

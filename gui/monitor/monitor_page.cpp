@@ -254,6 +254,7 @@ void MonitorPage::retranslate() {
   table_->retranslate();
   canvas_->retranslate();
   relabel();
+  layOut();
 }
 
 void MonitorPage::relabel() {
@@ -319,7 +320,12 @@ void MonitorPage::layOut() {
   strips_[1]->setVisible(twoStrips);
   const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
-  for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84);
+  magnificationLabel_->setFixedWidth(leftWidth < 640 ? 50 : 64);
+  for (QAbstractButton* view : views_->buttons()) {
+    view->setFont(uiFont(leftWidth < 640 ? 15 : 16, 500));
+    const int word = view->fontMetrics().horizontalAdvance(view->text()) + (leftWidth < 640 ? 12 : 14);
+    view->setFixedWidth(std::max(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84, word));
+  }
   if (const bool compact = leftWidth < 900; compact != compact_) {
     compact_ = compact;
     for (QPushButton* b : {byCamera_, run_}) {

@@ -81,8 +81,11 @@ void VerdictPanel::paintTrust(QPainter& painter, double left) const {
   const double top = height() / 2.0 - (small ? 34 : 40);
   paintSymbol(painter, QRectF(left, top, 24, 24), trust_.symbol, p);
   painter.setPen(p.t1);
-  paintInscription(painter, left + 34, top + 20, uiFont(small ? 20 : 24, 500),
-                   tr("Gauge: %1").arg(trust_.word.toLower()), room - 34);
+  const QString trust = tr("Gauge: %1").arg(trust_.word.toLower());
+  QFont trustFont = uiFont(small ? 20 : 24, 500);
+  while (trustFont.pixelSize() > 16 && QFontMetricsF(trustFont).horizontalAdvance(trust) > room - 34)
+    trustFont.setPixelSize(trustFont.pixelSize() - 1);
+  paintInscription(painter, left + 34, top + 20, trustFont, trust, room - 34);
   painter.setPen(p.t2);
   paintInscription(painter, left, top + (small ? 42 : 50), uiFont(small ? 15 : 16), trust_.cameras, room);
   paintInscription(painter, left, top + (small ? 62 : 74), uiFont(small ? 15 : 16),

@@ -18,6 +18,7 @@
 #include "gui/settings/sign_in_panel.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -171,7 +172,7 @@ void SettingsPage::loadArchive() {
   if (place_.archive == nullptr) {
     archiveWords_->setText(
         tr("There is none: %1. Rails are measured and not kept. Start the program with --archive FILE.")
-            .arg(QString::fromStdString(place_.archiveProblem)));
+            .arg(inWords(place_.archiveProblem)));
     return;
   }
   reader_->ask("archive", [this](const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {

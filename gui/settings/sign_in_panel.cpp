@@ -102,7 +102,7 @@ void SignInPanel::show() {
   button_->setAccessibleName(button_->text());
   if (place_.archive == nullptr)
     words_->setText(tr("Nobody can sign in: people are kept in the archive, and there is none (%1).")
-                        .arg(QString::fromStdString(place_.archiveProblem)));
+                        .arg(inWords(place_.archiveProblem)));
   else if (in)
     words_->setText(tr("After a quarter of an hour without a key or a touch it is the operator's screen again."));
   else if (mustChange_)

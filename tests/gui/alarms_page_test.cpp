@@ -140,6 +140,7 @@ TEST_F(AlarmsTest, AFloodIsShownGroupedAndAcknowledgedAtOnce) {
   }
   EXPECT_TRUE(watch.rates().flood);
   EXPECT_EQ(watch.book().active().size(), 12U);
+  QCoreApplication::processEvents();
   int cards = 0;
   for (const AlarmCard* card : page.findChildren<AlarmCard*>()) cards += card->isHidden() ? 0 : 1;
   EXPECT_EQ(cards, 1) << "all of one rule";

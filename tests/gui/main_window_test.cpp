@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "gui/languages/languages.h"
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
 #include "gui/main_window/tour.h"
@@ -31,10 +32,12 @@ class MainWindowTest : public ::testing::Test {
   Theme theme;
   Session session;
   Units units;
+  Languages languages;  // English has plurals too
   Workplace place{theme, line, session, units};
   std::unique_ptr<MainWindow> window;
 
   void SetUp() override {
+    place.languages = &languages;
     line.snapshot = makeSnapshot();
     window = std::make_unique<MainWindow>(place, stillClock);
     window->resize(1920, 1080);
