@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <vector>
 
+#include "report/dimension_text.h"
+
 namespace vignole {
 
 namespace {
@@ -116,6 +118,7 @@ std::vector<Sentence> sentences() {
 
 QString inWords(const QString& english, int depth) {
   static const std::vector<Sentence> all = sentences();
+  static const QRegularExpression number(QStringLiteral("^-?\\d+\\.\\d+$"));
   // "reason (camera 3: frame lost; camera 4: no frame)"
   if (depth < 3 && english.endsWith(')'))
     if (const qsizetype open = english.indexOf(QStringLiteral(" (camera ")); open > 0)
@@ -132,7 +135,8 @@ QString inWords(const QString& english, int depth) {
     QString text = QCoreApplication::translate("Engine", s.english);
     // One after the other would take a % in what is put in for a place.
     for (qsizetype i = s.places; i >= 1; --i) {
-      const QString part = match.captured(static_cast<int>(i));
+      QString part = match.captured(static_cast<int>(i));
+      if (number.match(part).hasMatch()) part.replace('.', decimalMark());
       text.replace(QStringLiteral("%%1").arg(i), depth < 3 ? inWords(part, depth + 1) : part);
     }
     return text;

@@ -1390,6 +1390,10 @@
         <source>%1 cannot be written: %2</source>
         <translation>%1 no se puede escribir: %2</translation>
     </message>
+    <message>
+        <source>program ended</source>
+        <translation>fin del programa</translation>
+    </message>
 </context>
 <context>
     <name>vignole::AlarmLine</name>

@@ -1390,6 +1390,10 @@
         <source>%1 cannot be written: %2</source>
         <translation>%1 ne peut être écrit : %2</translation>
     </message>
+    <message>
+        <source>program ended</source>
+        <translation>fin du programme</translation>
+    </message>
 </context>
 <context>
     <name>vignole::AlarmLine</name>
@@ -2168,7 +2172,7 @@
     </message>
     <message>
         <source>, now</source>
-        <translation>, maintenant</translation>
+        <translation>, actuel</translation>
     </message>
     <message>
         <source>good %1 of %2</source>

@@ -1393,6 +1393,10 @@
         <source>%1 cannot be written: %2</source>
         <translation>Nie można zapisać %1: %2</translation>
     </message>
+    <message>
+        <source>program ended</source>
+        <translation>koniec programu</translation>
+    </message>
 </context>
 <context>
     <name>vignole::AlarmLine</name>

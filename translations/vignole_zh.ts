@@ -1387,6 +1387,10 @@
         <source>%1 cannot be written: %2</source>
         <translation>无法写入 %1：%2</translation>
     </message>
+    <message>
+        <source>program ended</source>
+        <translation>程序结束</translation>
+    </message>
 </context>
 <context>
     <name>vignole::AlarmLine</name>

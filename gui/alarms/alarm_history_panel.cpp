@@ -113,13 +113,17 @@ void AlarmHistoryPanel::refresh() {
 void AlarmHistoryPanel::showAlarms() {
   const std::vector<AlarmRecord> all = watch_.log().history();
   const int rows = std::min(kRows, static_cast<int>(all.size()));
+  const int ofThisStart = static_cast<int>(watch_.log().ofThisStart());
   alarms_->setRowCount(rows);
   for (int i = 0; i < rows; ++i) {
     const AlarmRecord& a = all[static_cast<std::size_t>(i)];
     auto* came = cell(clockText(local(a.raisedUs)));
     came->setIcon(priorityPixmap(static_cast<AlarmPriority>(std::clamp(a.priority, 1, 3)), theme_.palette(), 20));
     alarms_->setItem(i, 0, came);
-    alarms_->setItem(i, 1, cell(a.clearedUs ? clockText(local(*a.clearedUs)) : tr("still on")));
+    alarms_->setItem(i, 1,
+                     cell(a.clearedUs       ? clockText(local(*a.clearedUs))
+                          : i < ofThisStart ? tr("still on")
+                                            : tr("program ended")));
     alarms_->setItem(i, 2, cell(a.clearedUs ? age(static_cast<double>(*a.clearedUs - a.raisedUs) * 1e-6) : QString()));
     alarms_->setItem(i, 3, cell(titleOf(a, watch_.book())));
     QStringList details;

@@ -29,6 +29,8 @@ class AlarmLog {
   [[nodiscard]] const std::deque<EventRecord>& events() const { return events_; }
   /// One row an alarm, newest first: those of the archive before this start come after this program's.
   [[nodiscard]] std::vector<AlarmRecord> history() const;
+  /// So many of history(), the newest, are of this program.
+  [[nodiscard]] std::size_t ofThisStart() const { return alarms_.size(); }
   void setEarlier(std::vector<AlarmRecord> alarms, std::vector<EventRecord> events);
 
  private:

@@ -337,7 +337,7 @@ void AlarmsPage::showHealth() {
     bool fine;
   };
   const Row rows[] = {
-      {tr("Mean per 10 minutes"), tr("%1, target below 1").arg(numberText(mean, 2)), mean < 1},
+      {tr("Mean per 10 minutes"), tr("%1, target below 1").arg(numberText(mean, 2)), mean < 1 || hours < 1},
       {tr("Floods"), QString::number(floods), floods == 0},
       {tr("Comes and goes"), chattering == 0 ? QStringLiteral("0") : tr("%1: %2").arg(chattering).arg(which),
        chattering == 0},

@@ -110,7 +110,7 @@ QWidget* MonitorPage::makeToolbar() {
   views_->button(0)->setChecked(true);
   connect(views_, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<ProfileView>(id)); });
 
-  row->addSpacing(8);
+  row->addSpacing(4);
   less_ = new QPushButton(bar);
   magnificationLabel_ = new QLabel(bar);
   magnificationLabel_->setObjectName(QStringLiteral("magnification"));
@@ -128,7 +128,7 @@ QWidget* MonitorPage::makeToolbar() {
   connect(less_, &QPushButton::clicked, this, &MonitorPage::magnifyLess);
   connect(more_, &QPushButton::clicked, this, &MonitorPage::magnifyMore);
 
-  row->addSpacing(8);
+  row->addSpacing(4);
   byCamera_ = new QPushButton(bar);
   byCamera_->setCheckable(true);
   byCamera_->setFont(uiFont(16, 500));
@@ -320,10 +320,9 @@ void MonitorPage::layOut() {
   strips_[1]->setVisible(twoStrips);
   const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
-  magnificationLabel_->setFixedWidth(leftWidth < 640 ? 50 : 64);
   for (QAbstractButton* view : views_->buttons()) {
-    view->setFont(uiFont(leftWidth < 640 ? 15 : 16, 500));
-    const int word = view->fontMetrics().horizontalAdvance(view->text()) + (leftWidth < 640 ? 12 : 14);
+    view->setFont(uiFont(leftWidth < 640 ? 14 : 16, 500));
+    const int word = view->fontMetrics().horizontalAdvance(view->text()) + 14;
     view->setFixedWidth(std::max(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84, word));
   }
   if (const bool compact = leftWidth < 900; compact != compact_) {

@@ -64,7 +64,8 @@ QString Theme::styleSheet() const {
                  selection-color: @t1; }
     QTableView::item { border-bottom: 1px solid @line2; padding: 0 8px; }
     QTableView:focus { border: 2px solid @accent; }
-    QHeaderView, QHeaderView::section { background: @panel; color: @t2; border: 0; padding: 0 8px; }
+    QHeaderView { background: @panel; border: 0; }
+    QHeaderView::section { background: @panel; color: @t2; border: 0; padding: 0 8px; }
     QHeaderView::section { border-bottom: 1px solid @line; height: 30px; }
     QTableCornerButton::section { background: @panel; border: 0; }
     QScrollBar:vertical { background: @panel; width: 14px; margin: 0; }
@@ -80,7 +81,7 @@ QString Theme::styleSheet() const {
     QListWidget { background: @panel; color: @t1; border: 0; outline: 0; }
     QListWidget::item { padding: 0 12px; border-left: 4px solid @panel; }
     QListWidget::item:selected { background: @panel2; color: @t1; border-left: 4px solid @accent; }
-    QListWidget:focus::item:selected { background: @accsoft; }
+    QListWidget:focus { border: 2px solid @accent; }
     QPushButton#first { background: @accent; color: @panel2; border: 1px solid @accent; }
     QPushButton#first:disabled { background: @panel2; color: @t3; border: 1px solid @line; }
     QPushButton#first:focus { border: 3px solid @t1; padding: 0 11px; min-height: 38px; }
