@@ -89,8 +89,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Engine", "the first user must be an administrator"),
     QT_TRANSLATE_NOOP("Engine", "is a user already"),
     QT_TRANSLATE_NOOP("Engine", "is the last administrator; make another one first"),
-    QT_TRANSLATE_NOOP("Engine", "nominal (virtual rig)"),
     QT_TRANSLATE_NOOP("Engine", "range finders"),
+    QT_TRANSLATE_NOOP("Engine", "exact (virtual rig)"),
+    QT_TRANSLATE_NOOP("Engine", "drawing"),
+    QT_TRANSLATE_NOOP("Engine", "none (generated numbers)"),
 };
 
 struct Sentence {

@@ -852,10 +852,6 @@
         <translation>Bediener</translation>
     </message>
     <message>
-        <source>nominal (virtual rig)</source>
-        <translation>nominell (virtuelle Anlage)</translation>
-    </message>
-    <message>
         <source>range finders</source>
         <translation>Lichtschnittsensoren</translation>
     </message>
@@ -954,6 +950,18 @@
     <message>
         <source>no archive was asked for (--archive)</source>
         <translation>kein Archiv verlangt (--archive)</translation>
+    </message>
+    <message>
+        <source>exact (virtual rig)</source>
+        <translation>exakt (virtuelle Anlage)</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>none (generated numbers)</source>
+        <translation>keine (erzeugte Zahlen)</translation>
     </message>
 </context>
 <context>

@@ -852,10 +852,6 @@
         <translation>operador</translation>
     </message>
     <message>
-        <source>nominal (virtual rig)</source>
-        <translation>nominal (equipo virtual)</translation>
-    </message>
-    <message>
         <source>range finders</source>
         <translation>telémetros</translation>
     </message>
@@ -954,6 +950,18 @@
     <message>
         <source>no archive was asked for (--archive)</source>
         <translation>no se pidió archivo (--archive)</translation>
+    </message>
+    <message>
+        <source>exact (virtual rig)</source>
+        <translation>exacta (equipo virtual)</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>plano</translation>
+    </message>
+    <message>
+        <source>none (generated numbers)</source>
+        <translation>ninguna (números generados)</translation>
     </message>
 </context>
 <context>

@@ -852,10 +852,6 @@
         <translation>opérateur</translation>
     </message>
     <message>
-        <source>nominal (virtual rig)</source>
-        <translation>nominal (installation virtuelle)</translation>
-    </message>
-    <message>
         <source>range finders</source>
         <translation>télémètres</translation>
     </message>
@@ -954,6 +950,18 @@
     <message>
         <source>no archive was asked for (--archive)</source>
         <translation>aucune archive demandée (--archive)</translation>
+    </message>
+    <message>
+        <source>exact (virtual rig)</source>
+        <translation>exact (installation virtuelle)</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>none (generated numbers)</source>
+        <translation>aucun (nombres générés)</translation>
     </message>
 </context>
 <context>

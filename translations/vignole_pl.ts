@@ -852,10 +852,6 @@
         <translation>operator</translation>
     </message>
     <message>
-        <source>nominal (virtual rig)</source>
-        <translation>nominalna (układ wirtualny)</translation>
-    </message>
-    <message>
         <source>range finders</source>
         <translation>dalmierze</translation>
     </message>
@@ -954,6 +950,18 @@
     <message>
         <source>no archive was asked for (--archive)</source>
         <translation>nie zażądano archiwum (--archive)</translation>
+    </message>
+    <message>
+        <source>exact (virtual rig)</source>
+        <translation>dokładna (układ wirtualny)</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>rysunek</translation>
+    </message>
+    <message>
+        <source>none (generated numbers)</source>
+        <translation>brak (liczby generowane)</translation>
     </message>
 </context>
 <context>

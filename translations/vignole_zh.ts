@@ -852,10 +852,6 @@
         <translation>操作员</translation>
     </message>
     <message>
-        <source>nominal (virtual rig)</source>
-        <translation>名义（虚拟装置）</translation>
-    </message>
-    <message>
         <source>range finders</source>
         <translation>测距仪</translation>
     </message>
@@ -954,6 +950,18 @@
     <message>
         <source>no archive was asked for (--archive)</source>
         <translation>未指定档案库（--archive）</translation>
+    </message>
+    <message>
+        <source>exact (virtual rig)</source>
+        <translation>精确（虚拟装置）</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>图纸</translation>
+    </message>
+    <message>
+        <source>none (generated numbers)</source>
+        <translation>无（生成数值）</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QTimer>
 #include <array>
+#include <chrono>
 #include <functional>
 
 #include "gui/bridge/event_loop_watchdog.h"
@@ -36,6 +37,8 @@ class MainWindow : public QMainWindow {
       Workplace& place, const Clock& clock = [] { return QDateTime::currentDateTime(); });
 
   void startTicking();
+  /// So long without a key or a touch, and a person who signed in is taken to have gone.
+  void setIdleReturn(std::chrono::milliseconds time) { idle_.setInterval(time); }
   /// One display tick: pulls and shows. Public for tests and pictures.
   void tick(PullDetail detail);
 

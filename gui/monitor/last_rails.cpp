@@ -49,9 +49,10 @@ void LastRails::paintTile(QPainter& painter, const QRectF& box, const Tile& tile
   const double symbolY = oneLine ? middle - 12 : middle - 25, idBaseline = oneLine ? middle + 7 : middle - 5;
   paintSymbol(painter, QRectF(box.left() + 10, symbolY, 24, 24), tile.symbol, p);
   const QFont small = uiFont(15);
-  // The rail's name has at least its half.
+  // The rail's name stands whole where it can, the word gives way.
+  const double name = std::min(QFontMetricsF(uiFont(15, 500)).horizontalAdvance(tile.id), 0.5 * box.width());
   const QString word =
-      oneLine ? QFontMetricsF(small).elidedText(tile.word, Qt::ElideRight, box.width() * 0.42) : tile.word;
+      oneLine ? QFontMetricsF(small).elidedText(tile.word, Qt::ElideRight, box.width() - 42 - 20 - name) : tile.word;
   const double wordWidth = oneLine ? QFontMetricsF(small).horizontalAdvance(word) + 10 : 0;
   const double room = box.width() - 42 - 8 - wordWidth;
   QFont id = uiFont(20, 500);

@@ -91,7 +91,8 @@ QString Theme::styleSheet() const {
     QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border: 2px solid
         @accent; padding: 0 9px; }
     QLineEdit:disabled, QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: @t3; }
-    QComboBox::drop-down { border: 0; width: 28px; }
+    QComboBox::drop-down { border: 0; width: 32px; }
+    QComboBox::down-arrow { image: url(:/icons/@arrow.svg); width: 16px; height: 16px; }
     QComboBox QAbstractItemView { background: @panel2; color: @t1; selection-background-color: @accsoft;
         selection-color: @t1; border: 1px solid @line; outline: 0; }
     QMenu { background: @panel2; color: @t1; border: 1px solid @line; padding: 4px; }
@@ -114,6 +115,7 @@ QString Theme::styleSheet() const {
       {"@t2", p.t2},       {"@t3", p.t3},         {"@accsoft", p.accentSoft}, {"@accent", p.accent},
   };
   for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
+  sheet.replace(QLatin1String("@arrow"), p.dark ? QStringLiteral("dropdown-dark") : QStringLiteral("dropdown-light"));
   return sheet;
 }
 

@@ -201,6 +201,15 @@ TEST_F(MainWindowTest, InchesAreShownAtOnceAndStoredMillimetresStay) {
   EXPECT_EQ(value(), millimetres);
 }
 
+TEST_F(MainWindowTest, WhoeverHasGoneLeavesTheOperatorsScreenAndThePageStays) {
+  window->setIdleReturn(std::chrono::milliseconds(50));
+  window->showPage(PageId::Charts);
+  session.enter(QStringLiteral("Ana"), Role::Technician);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session.role() == Role::Operator; }));
+  EXPECT_EQ(window->page(), PageId::Charts);
+  EXPECT_TRUE(window->isVisible());
+}
+
 TEST_F(MainWindowTest, TheTourPointsAndIsLeftWithEsc) {
   window->startTour();
   ASSERT_NE(window->tour(), nullptr);
