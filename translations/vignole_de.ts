@@ -1230,13 +1230,6 @@
     </message>
 </context>
 <context>
-    <name>vignole</name>
-    <message>
-        <source>Nothing waits: the next rail is named by the line.</source>
-        <translation>Nichts wartet: die nächste Schiene benennt die Linie.</translation>
-    </message>
-</context>
-<context>
     <name>vignole::AlarmCard</name>
     <message>
         <source>comes and goes</source>
@@ -2406,6 +2399,10 @@
     <message>
         <source>Nothing was entered: fill in at least one field.</source>
         <translation>Nichts eingetragen: mindestens ein Feld ausfüllen.</translation>
+    </message>
+    <message>
+        <source>Nothing waits: the next rail is named by the line.</source>
+        <translation>Nichts wartet: die nächste Schiene benennt die Linie.</translation>
     </message>
 </context>
 <context>

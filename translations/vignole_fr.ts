@@ -1230,13 +1230,6 @@
     </message>
 </context>
 <context>
-    <name>vignole</name>
-    <message>
-        <source>Nothing waits: the next rail is named by the line.</source>
-        <translation>Rien n&apos;attend : le prochain rail est nommé par la ligne.</translation>
-    </message>
-</context>
-<context>
     <name>vignole::AlarmCard</name>
     <message>
         <source>comes and goes</source>
@@ -2406,6 +2399,10 @@
     <message>
         <source>Nothing was entered: fill in at least one field.</source>
         <translation>Rien n&apos;a été saisi : remplir au moins un champ.</translation>
+    </message>
+    <message>
+        <source>Nothing waits: the next rail is named by the line.</source>
+        <translation>Rien n&apos;attend : le prochain rail est nommé par la ligne.</translation>
     </message>
 </context>
 <context>

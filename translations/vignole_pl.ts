@@ -1230,13 +1230,6 @@
     </message>
 </context>
 <context>
-    <name>vignole</name>
-    <message>
-        <source>Nothing waits: the next rail is named by the line.</source>
-        <translation>Nic nie czeka: następną szynę nazwie linia.</translation>
-    </message>
-</context>
-<context>
     <name>vignole::AlarmCard</name>
     <message>
         <source>comes and goes</source>
@@ -2416,6 +2409,10 @@
     <message>
         <source>Nothing was entered: fill in at least one field.</source>
         <translation>Nic nie wpisano: wypełnij co najmniej jedno pole.</translation>
+    </message>
+    <message>
+        <source>Nothing waits: the next rail is named by the line.</source>
+        <translation>Nic nie czeka: następną szynę nazwie linia.</translation>
     </message>
 </context>
 <context>

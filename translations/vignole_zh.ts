@@ -1230,13 +1230,6 @@
     </message>
 </context>
 <context>
-    <name>vignole</name>
-    <message>
-        <source>Nothing waits: the next rail is named by the line.</source>
-        <translation>无待用信息：下一根钢轨由产线命名。</translation>
-    </message>
-</context>
-<context>
     <name>vignole::AlarmCard</name>
     <message>
         <source>comes and goes</source>
@@ -2396,6 +2389,10 @@
     <message>
         <source>Nothing was entered: fill in at least one field.</source>
         <translation>未输入内容：至少填写一项。</translation>
+    </message>
+    <message>
+        <source>Nothing waits: the next rail is named by the line.</source>
+        <translation>无待用信息：下一根钢轨由产线命名。</translation>
     </message>
 </context>
 <context>
