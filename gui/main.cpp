@@ -13,6 +13,7 @@
 
 #include "gui/bridge/self_test.h"
 #include "gui/bridge/virtual_line.h"
+#include "gui/languages/languages.h"
 #include "gui/main_window/main_window.h"
 #include "gui/main_window/options.h"
 #include "gui/monitor/dimension_table.h"
@@ -95,19 +96,27 @@ Records openRecords(const Options& options, bool unattended) {
   return records;
 }
 
-int run(QApplication& app, const Options& options) {
+int run(const Options& options) {
   if (auto fonts = installFonts(); !fonts) return fail(fonts.error());
   auto line = VirtualLine::create(options.line);
   if (!line) return fail(line.error());
   Theme theme(options.dark);
   Session session;
   Units units;
+  Languages languages;
+  if (!options.language.empty()) languages.use(QString::fromStdString(options.language));
   const bool remembers = options.screenshot.empty() && !options.selfTestS;
   if (remembers) {
     // What a person chose on this machine, unless the command line says otherwise.
     const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
     if (!options.dark) theme.setDark(chosen.value(QStringLiteral("dark"), false).toBool());
     if (chosen.value(QStringLiteral("inches"), false).toBool()) units.setLength(Units::Length::Inch);
+    if (options.language.empty())
+      languages.use(chosen.value(QStringLiteral("language"), Languages::ofThisMachine()).toString());
+    QObject::connect(&languages, &Languages::changed, [&languages] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole"))
+          .setValue(QStringLiteral("language"), languages.code());
+    });
     QObject::connect(&theme, &Theme::changed, [&theme] {
       QSettings(QStringLiteral("vignole"), QStringLiteral("vignole")).setValue(QStringLiteral("dark"), theme.dark());
     });
@@ -123,6 +132,7 @@ int run(QApplication& app, const Options& options) {
   place.archiveUrl = records.url;
   place.archiveProblem = records.problem;
   place.writer = records.writer.get();
+  place.languages = &languages;
   MainWindow window(place);
   window.resize(options.size);
   ProcessUse begin = processUse();
@@ -135,13 +145,21 @@ int run(QApplication& app, const Options& options) {
   if (const auto chosen = dimensionFromName(options.chosenDimension)) window.monitor().table().choose(chosen);
   window.showPage(options.page);
   window.startTicking();
+  // Once on a machine, and when it is asked for.
+  if (const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
+      options.tour || (remembers && !chosen.value(QStringLiteral("tourSeen"), false).toBool()))
+    window.startTour();
+  if (remembers)
+    QObject::connect(&window, &MainWindow::tourLeft, [] {
+      QSettings(QStringLiteral("vignole"), QStringLiteral("vignole")).setValue(QStringLiteral("tourSeen"), true);
+    });
 
   int exitCode = kDone;
   if (!options.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(options.afterS * 1000), &window, [&] {
       window.tick(PullDetail::Everything);
       if (auto saved = savePicture(window, options.screenshot); !saved) exitCode = fail(saved.error());
-      app.quit();
+      QCoreApplication::exit();  // quit() would ask the window, which asks people
     });
   } else if (options.selfTestS) {
     // Shares and memory are those of the running program: fonts, buffers and the first picture come before.
@@ -151,7 +169,7 @@ int run(QApplication& app, const Options& options) {
       const std::string json =
           selfTestJson((*line)->pull(PullDetail::Everything), window.watchdog(), begin, processUse());
       std::printf("%s\n", json.c_str());
-      app.quit();
+      QCoreApplication::exit();  // quit() would ask the window, which asks people
     });
   }
   const int code = QApplication::exec();
@@ -172,8 +190,8 @@ int main(int argc, char** argv) {
   if (auto platform = choosePlatform(*outcome.options); !platform) return fail(platform.error());
   provideRuntimeDirectory();
   int qtArgc = 1;  // the command line is ours; Qt's own options come from its environment variables
-  QApplication app(qtArgc, argv);
+  const QApplication app(qtArgc, argv);
   QApplication::setApplicationName(QStringLiteral("vignole"));
   QApplication::setApplicationVersion(QStringLiteral(VIGNOLE_VERSION));
-  return run(app, *outcome.options);
+  return run(*outcome.options);
 }

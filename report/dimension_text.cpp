@@ -2,13 +2,18 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include "report/drawing_words.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
 namespace {
 
 constexpr QChar kMinus(0x2212);
+std::atomic<char16_t> theDecimalMark{u'.'};
 constexpr double kIndexSize = 0.74;    // of the name's type size
 constexpr double kIndexLowered = 0.2;  // of the name's type size
 
@@ -32,11 +37,15 @@ QFont indexFont(const QFont& font) {
 
 }  // namespace
 
+void setDecimalMark(QChar mark) { theDecimalMark = mark.unicode(); }
+QChar decimalMark() { return theDecimalMark.load(); }
+
 int decimalsOf(Dimension dimension) { return dimension == Dimension::HR ? 1 : 3; }
 
 QString numberText(double value, int decimals) {
   const double half = 0.5 * std::pow(10.0, -decimals);
   QString digits = QString::number(std::abs(value), 'f', decimals);
+  digits.replace('.', decimalMark());
   return value <= -half ? kMinus + digits : digits;
 }
 
@@ -51,26 +60,41 @@ QString limitText(double deviationMm) {
   return deviationText(deviationMm, std::abs(hundredths - std::round(hundredths)) < 0.05 ? 2 : 3);
 }
 
+QString titleOf(Dimension dimension) {
+  [[maybe_unused]] static constexpr const char* kForTranslators[] = {
+      QT_TRANSLATE_NOOP("Dimension", "Rail height"),         QT_TRANSLATE_NOOP("Dimension", "Rail flange height"),
+      QT_TRANSLATE_NOOP("Dimension", "Foot width"),          QT_TRANSLATE_NOOP("Dimension", "Head form"),
+      QT_TRANSLATE_NOOP("Dimension", "Head width"),          QT_TRANSLATE_NOOP("Dimension", "Head width (AREMA)"),
+      QT_TRANSLATE_NOOP("Dimension", "Foot thickness left"), QT_TRANSLATE_NOOP("Dimension", "Foot thickness right"),
+      QT_TRANSLATE_NOOP("Dimension", "Rail asymmetry left"), QT_TRANSLATE_NOOP("Dimension", "Rail asymmetry right"),
+      QT_TRANSLATE_NOOP("Dimension", "Web thickness"),       QT_TRANSLATE_NOOP("Dimension", "Head radius"),
+      QT_TRANSLATE_NOOP("Dimension", "Foot concavity")};
+  return QCoreApplication::translate("Dimension", std::string(title(dimension)).c_str());
+}
+
 QString wordOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:
-      return QStringLiteral("Good");
+      return Drawing::tr("Good");
     case Verdict::Near:
-      return QStringLiteral("Near limit");
+      return Drawing::tr("Near limit");
     case Verdict::Fail:
-      return QStringLiteral("Out");
+      return Drawing::tr("Out");
     case Verdict::NoLimit:
-      return QStringLiteral("No limit");
+      return Drawing::tr("No limit");
     case Verdict::NotMeasured:
       break;
   }
-  return QStringLiteral("Not measured");
+  return Drawing::tr("Not measured");
 }
 
-QString verdictSentence(Dimension dimension, const DimensionResult& result) {
+QString lengthText(double mm, int decimals, LengthUnit unit) {
+  return numberText(inUnit(mm, unit), decimalsIn(unit, decimals));
+}
+
+QString verdictSentence(Dimension dimension, const DimensionResult& result, LengthUnit unit) {
   if (!result.valueMm)
-    return QStringLiteral("not measured, because ") +
-           (result.reason.empty() ? QStringLiteral("no points") : QString::fromStdString(result.reason));
+    return Drawing::tr("not measured, because %1").arg(inWords(result.reason.empty() ? "no points" : result.reason));
   if (result.verdict != Verdict::Fail) return wordOf(result.verdict);
   // rails.md: the lower limit of HF judges HF_min; FC is judged on what is concave only.
   const double high = dimension == Dimension::FC ? std::max(0.0, *result.valueMm) : *result.valueMm;
@@ -78,9 +102,9 @@ QString verdictSentence(Dimension dimension, const DimensionResult& result) {
   const double above = result.upperMm ? high - *result.upperMm : -1;
   const double below = result.lowerMm ? *result.lowerMm - low : -1;
   const int decimals = decimalsOf(dimension);
-  if (above >= below && above > 0) return numberText(above, decimals) + QStringLiteral(" above the limit");
-  if (below > 0) return numberText(below, decimals) + QStringLiteral(" below the limit");
-  return QStringLiteral("Out of tolerance");
+  if (above >= below && above > 0) return Drawing::tr("%1 above the limit").arg(lengthText(above, decimals, unit));
+  if (below > 0) return Drawing::tr("%1 below the limit").arg(lengthText(below, decimals, unit));
+  return Drawing::tr("Out of tolerance");
 }
 
 double drawDimensionName(QPainter& painter, const QPointF& baseLine, Dimension dimension) {

@@ -6,6 +6,7 @@
 #include <QPdfWriter>
 #include <QPen>
 
+#include "report/drawing_words.h"
 #include "report/report_parts.h"
 #include "report/typeface.h"
 
@@ -38,7 +39,7 @@ void paintFrame(QPainter& painter, const PageFrame& frame, std::size_t page, std
   const double foot = kPage.height() - kMargin;
   line(foot - 26);
   writeText(painter, kMargin, foot, frame.foot, palette.t2, 14);
-  writeTextRight(painter, right, foot, QStringLiteral("Page %1 of %2").arg(page).arg(pages), palette.t2, 14);
+  writeTextRight(painter, right, foot, Drawing::tr("Page %1 of %2").arg(page).arg(pages), palette.t2, 14);
 }
 
 }  // namespace

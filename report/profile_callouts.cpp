@@ -98,11 +98,11 @@ void ProfileCallouts::paintDimension(const ProfileDrawing& drawing, Dimension d)
   Callout callout;
   callout.dimension = d;
   callout.ink = inkOf(result.verdict, drawing.held, palette_);
-  if (result.valueMm) callout.title = numberText(*result.valueMm, decimalsOf(d));
+  if (result.valueMm) callout.title = lengthText(*result.valueMm, decimalsOf(d), drawing.unit);
   if (drawing.held && result.valueMm) callout.symbol = StateSymbol::Held;
   if (abnormal) {
     callout.symbol = symbolOf(result.verdict);
-    callout.detail = verdictSentence(d, result);
+    callout.detail = verdictSentence(d, result, drawing.unit);
     if (result.verdict == Verdict::Fail) callout.ground = palette_.outSoft;
     if (result.verdict == Verdict::NotMeasured) callout.ground = palette_.invalidSoft;
   }

@@ -11,6 +11,8 @@
 
 #include "report/dimension_text.h"
 #include "report/drawing_frame.h"
+#include "report/drawing_words.h"
+#include "report/engine_words.h"
 #include "report/magnified_outline.h"
 #include "report/profile_callouts.h"
 #include "report/profile_legend.h"
@@ -370,12 +372,12 @@ std::optional<Callout> ProfilePainter::unseenCallout() const {
   if (bestLength == 0) return std::nullopt;
   Callout callout;
   callout.symbol = StateSymbol::NotMeasured;
-  callout.title = QStringLiteral("No points");
+  callout.title = Drawing::tr("No points");
   for (std::size_t camera = 0; camera < drawing_.profile->missing.size(); ++camera) {
     const std::string& reason = drawing_.profile->missing[camera];
     if (reason.empty()) continue;
     if (!callout.detail.isEmpty()) callout.detail += QStringLiteral("\n");
-    callout.detail += QStringLiteral("camera %1: %2").arg(camera + 1).arg(QString::fromStdString(reason));
+    callout.detail += inWords("camera " + std::to_string(camera + 1) + ": " + reason);
   }
   // Short hidden stretches are ordinary (a flank no camera sees): dotted, but not worth a word.
   if (callout.detail.isEmpty() && bestLength < 20) return std::nullopt;
@@ -394,7 +396,7 @@ void ProfilePainter::paintTexts() {
   if (drawing_.held) {
     Callout held;
     held.symbol = StateSymbol::Held;
-    held.title = QStringLiteral("Held");
+    held.title = Drawing::tr("Held");
     held.detail = QString::fromStdString(drawing_.heldNote);
     held.ink = palette_.t3;
     held.ground = palette_.panel;
@@ -405,8 +407,8 @@ void ProfilePainter::paintTexts() {
   if (drawing_.registration != nullptr && !drawing_.registration->valid) {
     Callout lost;
     lost.symbol = StateSymbol::NotMeasured;
-    lost.title = QStringLiteral("No rail found");
-    lost.detail = QString::fromStdString(drawing_.registration->reason);
+    lost.title = Drawing::tr("No rail found");
+    lost.detail = inWords(drawing_.registration->reason);
     lost.ink = palette_.invalid;
     lost.ground = palette_.invalidSoft;
     lost.wishedY = frame_.area.center().y();

@@ -10,6 +10,7 @@
 #include "engine/measurement/measurement.h"
 #include "engine/profile/profile.h"
 #include "engine/registration/registration.h"
+#include "report/length_unit.h"
 #include "report/palette.h"
 
 namespace vignole {
@@ -29,6 +30,7 @@ struct ProfileDrawing {
   std::string heldNote;                             ///< "last profile at 23.18 m, 2 min ago"; below the word Held
   const DimensionParameters* parameters = nullptr;  ///< where the dimensions are taken; null: the defaults
   std::optional<Dimension> selected;
+  LengthUnit unit = LengthUnit::Millimetre;
 };
 
 /// Fills `area`, legend and scale bars included, ground not. The painter's font is body text (16 px in the mock-ups):

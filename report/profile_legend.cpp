@@ -4,6 +4,8 @@
 #include <QPen>
 #include <array>
 
+#include "report/dimension_text.h"
+#include "report/drawing_words.h"
 #include "report/typeface.h"
 
 namespace vignole {
@@ -20,6 +22,8 @@ double roundLength(const std::array<double, N>& lengths, double pxPerMm, double 
     if (length * pxPerMm <= longestPx) best = length;
   return best;
 }
+
+QString shortNumber(double value) { return QString::number(value).replace('.', decimalMark()); }
 
 class LegendPainter {
  public:
@@ -41,18 +45,18 @@ class LegendPainter {
     if (l_.drawing.byCamera)
       for (int camera = 0; camera < 4; ++camera) paintCamera(camera);
     else
-      paintItem(QStringLiteral("Measured"),
+      paintItem(Drawing::tr("Measured"),
                 [this](const QRectF& s) { line(s, QPen(l_.drawing.held ? l_.palette.t3 : l_.palette.t1, 2)); });
-    if (l_.drawing.limits != nullptr) paintItem(QStringLiteral("Tolerance"), [this](const QRectF& s) { band(s); });
+    if (l_.drawing.limits != nullptr) paintItem(Drawing::tr("Tolerance"), [this](const QRectF& s) { band(s); });
   }
 
  private:
   [[nodiscard]] QString modelText() const {
     const Section& section = *l_.drawing.section;
-    QString text = QStringLiteral("Model ") + QString::fromStdString(section.name);
-    if (section.standing == SectionStanding::Approximate) text += QStringLiteral(" (approximate)");
-    if (section.standing == SectionStanding::Invented) text += QStringLiteral(" (invented)");
-    return text;
+    const QString name = QString::fromStdString(section.name);
+    if (section.standing == SectionStanding::Approximate) return Drawing::tr("Model %1 (approximate)").arg(name);
+    if (section.standing == SectionStanding::Invented) return Drawing::tr("Model %1 (invented)").arg(name);
+    return Drawing::tr("Model %1").arg(name);
   }
   void text(double x, const QString& what) {
     painter_.setPen(l_.palette.t2);
@@ -82,7 +86,7 @@ class LegendPainter {
   void paintCamera(int camera) {
     const QColor& colour = l_.drawing.held ? l_.palette.t3 : l_.palette.camera[static_cast<std::size_t>(camera)];
     paintItem(
-        camera == 0 ? QStringLiteral("Camera 1") : QString::number(camera + 1),
+        camera == 0 ? Drawing::tr("Camera 1") : QString::number(camera + 1),
         [&](const QRectF& s) {
           painter_.setPen(Qt::NoPen);
           painter_.setBrush(colour);
@@ -104,12 +108,17 @@ class LegendPainter {
   }
   void paintBars() {
     const double m = l_.drawing.magnification;
-    const double plain = roundLength(std::array{0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}, l_.pxPerMm, 76 * l_.scale);
+    const LengthUnit unit = l_.drawing.unit;
+    const double pxPerUnit = l_.pxPerMm / inUnit(1, unit);
+    const double plain =
+        roundLength(std::array{0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}, pxPerUnit, 76 * l_.scale);
     const double deviation =
-        roundLength(std::array{0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0}, l_.pxPerMm * m, 50 * l_.scale);
-    bar(area_.right(), plain * l_.pxPerMm, QStringLiteral("%1 mm").arg(plain), l_.palette.t2, 1.5);
-    bar(itemsEnd_, deviation * l_.pxPerMm * m, QStringLiteral("deviation %1 mm, \u00d7%2").arg(deviation).arg(m),
-        l_.palette.t1, 3);
+        roundLength(std::array{0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0},
+                    pxPerUnit * m, 50 * l_.scale);
+    const QString name = QString::fromLatin1(unitName(unit));
+    bar(area_.right(), plain * pxPerUnit, shortNumber(plain) + ' ' + name, l_.palette.t2, 1.5);
+    bar(itemsEnd_, deviation * pxPerUnit * m,
+        Drawing::tr("deviation %1 %2, \u00d7%3").arg(shortNumber(deviation), name).arg(m), l_.palette.t1, 3);
   }
 
   QPainter& painter_;

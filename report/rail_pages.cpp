@@ -7,6 +7,8 @@
 #include <iterator>
 
 #include "report/dimension_text.h"
+#include "report/drawing_words.h"
+#include "report/engine_words.h"
 #include "report/hatch.h"
 #include "report/page_frame.h"
 #include "report/profile_drawing.h"
@@ -49,13 +51,13 @@ class RailPages {
 
   [[nodiscard]] QByteArray pdf() {
     const RailSummary& s = *report_.summary;
-    const QString rail = QStringLiteral("Rail ") + QString::fromStdString(s.rail.id);
+    const QString rail = Drawing::tr("Rail %1").arg(QString::fromStdString(s.rail.id));
     const QString program = QStringLiteral("Vignole ") + QString::fromStdString(report_.programVersion);
     PageFrame frame;
-    frame.title = QStringLiteral("Rail profile report");
+    frame.title = Drawing::tr("Rail profile report");
     frame.subject = rail;
     frame.foot =
-        QStringLiteral("%1   recipe %2   calibration %3")
+        Drawing::tr("%1   recipe %2   calibration %3")
             .arg(program, QString::fromStdString(s.recipe),
                  QString::fromStdString(s.calibrationWarning.empty() ? s.calibrationId
                                                                      : s.calibrationId + ", " + s.calibrationWarning));
@@ -93,8 +95,8 @@ class RailPages {
     body();
     paintDimensionTable(*painter_, QRectF(area.left(), y, area.width(), table), *report_.summary, palette_);
     write(area.left(), area.bottom() + 2,
-          QStringLiteral("mm. s: standard deviation along the rail; u, U: standard and expanded uncertainty of one "
-                         "profile; Exc.: stretches out of tolerance."),
+          Drawing::tr("mm. s: standard deviation along the rail; u, U: standard and expanded uncertainty of one "
+                      "profile; Exc.: stretches out of tolerance."),
           palette_.t3, 14);
   }
 
@@ -108,15 +110,15 @@ class RailPages {
       d.registration = &report_.example->registration;
       d.measurement = &report_.example->measurement;
       write(area.left(), area.top() + 16,
-            QStringLiteral("Profile at %1 m").arg(numberText(report_.example->profile.positionMm / 1000, 2)),
-            palette_.t2, 16);
+            Drawing::tr("Profile at %1 m").arg(numberText(report_.example->profile.positionMm / 1000, 2)), palette_.t2,
+            16);
     }
     body();
     paintProfile(*painter_, area, d, palette_);
   }
 
   void charts(const QRectF& area) {
-    write(area.left(), area.top() + 16, QStringLiteral("Dimensions along the rail, mm over m"), palette_.t1, 18,
+    write(area.left(), area.top() + 16, Drawing::tr("Dimensions along the rail, mm over m"), palette_.t1, 18,
           QFont::Medium);
     const double top = area.top() + 34, gap = 40;
     const std::size_t rows = (kDimensionCount + 2) / 2;
@@ -144,13 +146,13 @@ class RailPages {
     dashed.setDashPattern({8, 4});
     QColor soft = palette_.t3;
     soft.setAlphaF(0.35F);
-    item(QStringLiteral("mean of a stretch"), QPen(palette_.t1, 1.6));
-    item(QStringLiteral("smallest to largest value of the stretch"), QPen(QBrush(soft), 8, Qt::SolidLine, Qt::FlatCap));
-    item(QStringLiteral("expected value"), dashed);
-    item(QStringLiteral("limits; the ground outside is grey"), QPen(palette_.t2, 1.75));
-    item(QStringLiteral("exception, with its square"), QPen(QBrush(palette_.out), 4, Qt::SolidLine, Qt::FlatCap));
+    item(Drawing::tr("mean of a stretch"), QPen(palette_.t1, 1.6));
+    item(Drawing::tr("smallest to largest value of the stretch"), QPen(QBrush(soft), 8, Qt::SolidLine, Qt::FlatCap));
+    item(Drawing::tr("expected value"), dashed);
+    item(Drawing::tr("limits; the ground outside is grey"), QPen(palette_.t2, 1.75));
+    item(Drawing::tr("exception, with its square"), QPen(QBrush(palette_.out), 4, Qt::SolidLine, Qt::FlatCap));
     paintHatch(*painter_, QRectF(x, y - 13, 40, 14), palette_.invalid, 8, 1.5);
-    write(text, y, QStringLiteral("not measured"), palette_.t2, 14);
+    write(text, y, Drawing::tr("not measured"), palette_.t2, 14);
   }
 
   // --- exceptions, triggers, notes ----------------------------------------------------------------------------------
@@ -177,19 +179,20 @@ class RailPages {
 
   double exceptionList(const QRectF& area, std::size_t first, std::size_t count) {
     double y = area.top() + 16;
-    QString title = QStringLiteral("Exceptions");
-    if (exceptions_.empty()) title = QStringLiteral("Exceptions: none");
-    if (first > 0) title += QStringLiteral(" (continued)");
+    QString title = Drawing::tr("Exceptions");
+    if (exceptions_.empty()) title = Drawing::tr("Exceptions: none");
+    if (first > 0) title += Drawing::tr(" (continued)");
     write(area.left(), y, title, palette_.t1, 18, QFont::Medium);
     if (exceptions_.size() > shownExceptions_ && first == 0)
-      writeRight(area.right(), y, QStringLiteral("the first %1 of %2").arg(shownExceptions_).arg(exceptions_.size()),
+      writeRight(area.right(), y, Drawing::tr("the first %1 of %2").arg(shownExceptions_).arg(exceptions_.size()),
                  palette_.t2, 14);
     if (exceptions_.empty()) return y;
     y += 30;
     const double columns[] = {290, 430, 570, 730, 880, 1040};
-    const char* heads[] = {"from m", "to m", "length m", "worst mm", "deviation", "beyond limit"};
+    const QString heads[] = {Drawing::tr("from m"),   Drawing::tr("to m"),      Drawing::tr("length m"),
+                             Drawing::tr("worst mm"), Drawing::tr("deviation"), Drawing::tr("beyond limit")};
     for (std::size_t c = 0; c < std::size(heads); ++c)
-      writeRight(area.left() + columns[c], y, QLatin1String(heads[c]), palette_.t2, 14);
+      writeRight(area.left() + columns[c], y, heads[c], palette_.t2, 14);
     for (std::size_t i = first; i < first + count; ++i) {
       y += kListRow;
       exceptionRow(area, y, exceptions_[i], columns);
@@ -221,7 +224,7 @@ class RailPages {
 
   void ledger(const QRectF& area, double y) {
     const TriggerLedger& t = report_.summary->triggers;
-    write(area.left(), y, QStringLiteral("Triggers"), palette_.t1, 18, QFont::Medium);
+    write(area.left(), y, Drawing::tr("Triggers"), palette_.t1, 18, QFont::Medium);
     const auto row = [&](const QString& what, std::uint64_t count, double indent) {
       y += kListRow;
       painter_->setPen(QPen(palette_.line2, 1));
@@ -230,23 +233,23 @@ class RailPages {
       writeRight(area.left() + 520, y, QString::number(count), indent > 0 ? palette_.t2 : palette_.t1);
     };
     y += 6;
-    row(QStringLiteral("seen"), t.seen, 0);
-    row(QStringLiteral("measured: complete, four contours"), t.measured, 0);
-    row(QStringLiteral("incomplete: a camera or the registration was missing"), t.incomplete, 0);
-    row(QStringLiteral("lost: no profile"), t.lost, 0);
-    for (const auto& [reason, count] : t.reasons) row(QString::fromStdString(reason), count, 24);
+    row(Drawing::tr("seen"), t.seen, 0);
+    row(Drawing::tr("measured: complete, four contours"), t.measured, 0);
+    row(Drawing::tr("incomplete: a camera or the registration was missing"), t.incomplete, 0);
+    row(Drawing::tr("lost: no profile"), t.lost, 0);
+    for (const auto& [reason, count] : t.reasons) row(inWords(reason), count, 24);
     notes(area, y + 46);
   }
 
   void notes(const QRectF& area, double y) {
-    write(area.left(), y, QStringLiteral("Notes"), palette_.t1, 18, QFont::Medium);
+    write(area.left(), y, Drawing::tr("Notes"), palette_.t1, 18, QFont::Medium);
     QStringList notes = {
-        QStringLiteral("Lengths refer to 15 \u00b0C. U is the expanded uncertainty with k = 2; a value "
-                       "nearer to a limit than U is near limit: it cannot be decided.")};
+        Drawing::tr("Lengths refer to 15 °C. U is the expanded uncertainty with k = 2; a value "
+                    "nearer to a limit than U is near limit: it cannot be decided.")};
     if (report_.recipe->section.standing != SectionStanding::Standard)
-      notes << QStringLiteral("This section is %1: not for acceptance.")
-                   .arg(report_.recipe->section.standing == SectionStanding::Invented ? QStringLiteral("invented")
-                                                                                      : QStringLiteral("approximate"));
+      notes << (report_.recipe->section.standing == SectionStanding::Invented
+                    ? Drawing::tr("This section is invented: not for acceptance.")
+                    : Drawing::tr("This section is approximate: not for acceptance."));
     for (const std::string& note : {report_.recipe->note, report_.recipe->section.note})
       if (!note.empty()) notes << QString::fromStdString(note);
     painter_->setFont(typeface(14));

@@ -5,6 +5,7 @@
 #include <QPen>
 
 #include "report/dimension_text.h"
+#include "report/drawing_words.h"
 #include "report/profile_drawing.h"
 #include "report/report_parts.h"
 #include "report/tolerance_chart.h"
@@ -51,8 +52,7 @@ void drawing(QPainter& painter, const QRectF& area, const RailReport& report, co
     d.measurement = &report.example->measurement;
     painter.setFont(typeface(14));
     painter.setPen(palette.t2);
-    const QString where =
-        QStringLiteral("profile at %1 m").arg(numberText(report.example->profile.positionMm / 1000, 2));
+    const QString where = Drawing::tr("profile at %1 m").arg(numberText(report.example->profile.positionMm / 1000, 2));
     painter.drawText(
         QPointF(area.right() - 16 - QFontMetricsF(painter.font()).horizontalAdvance(where), area.top() + 24), where);
   }

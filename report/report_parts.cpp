@@ -11,6 +11,8 @@
 #include <cstdlib>
 
 #include "report/dimension_text.h"
+#include "report/drawing_words.h"
+#include "report/engine_words.h"
 #include "report/state_symbol.h"
 #include "report/typeface.h"
 
@@ -83,7 +85,7 @@ double rankOf(const DimensionSummary& s) {
 
 void addNames(TextRuns& runs, const std::vector<Dimension>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) runs.emplace_back(i + 1 == names.size() ? QStringLiteral(" and ") : QStringLiteral(", "));
+    if (i > 0) runs.emplace_back(i + 1 == names.size() ? Drawing::tr(" and ") : QStringLiteral(", "));
     runs.emplace_back(names[i]);
   }
 }
@@ -96,24 +98,24 @@ struct ColumnLayout {
   const char* head;
   double weight;
 };
-constexpr ColumnLayout kColumns[] = {{Column::State, "State", 128},
-                                     {Column::Name, "Dimension", 84},
-                                     {Column::Nominal, "Nominal", 80},
-                                     {Column::Mean, "Mean", 80},
-                                     {Column::Min, "Min", 80},
-                                     {Column::Max, "Max", 80},
+constexpr ColumnLayout kColumns[] = {{Column::State, QT_TRANSLATE_NOOP("Drawing", "State"), 128},
+                                     {Column::Name, QT_TRANSLATE_NOOP("Drawing", "Dimension"), 84},
+                                     {Column::Nominal, QT_TRANSLATE_NOOP("Drawing", "Nominal"), 80},
+                                     {Column::Mean, QT_TRANSLATE_NOOP("Drawing", "Mean"), 80},
+                                     {Column::Min, QT_TRANSLATE_NOOP("Drawing", "Min"), 80},
+                                     {Column::Max, QT_TRANSLATE_NOOP("Drawing", "Max"), 80},
                                      {Column::S, "s", 62},
                                      {Column::U, "u", 62},
                                      {Column::Expanded, "U (k=2)", 70},
-                                     {Column::Limits, "Limits", 124},
-                                     {Column::Exceptions, "Exc.", 46}};
+                                     {Column::Limits, QT_TRANSLATE_NOOP("Drawing", "Limits"), 124},
+                                     {Column::Exceptions, QT_TRANSLATE_NOOP("Drawing", "Exc."), 46}};
 constexpr double kTableHeadPx = 28, kTableRowPx = 27, kTableTextPx = 16, kTableHeadTextPx = 14;
 
 QString limitsText(const DimensionSummary& s) {
   const auto limit = [&](double mm) { return limitText(mm - s.nominalMm); };
   if (s.lowerMm && s.upperMm) return limit(*s.lowerMm) + QStringLiteral(" / ") + limit(*s.upperMm);
-  if (s.upperMm) return QStringLiteral("max ") + limit(*s.upperMm);
-  if (s.lowerMm) return QStringLiteral("min ") + limit(*s.lowerMm);
+  if (s.upperMm) return Drawing::tr("max %1").arg(limit(*s.upperMm));
+  if (s.lowerMm) return Drawing::tr("min %1").arg(limit(*s.lowerMm));
   return QStringLiteral("\u2013");
 }
 
@@ -161,7 +163,7 @@ class TablePainter {
     painter_.setPen(palette_.t2);
     painter_.setFont(typeface(kTableHeadTextPx * scale_));
     eachColumn(area_.top(), kTableHeadPx * scale_, [&](const ColumnLayout& c, const QRectF& cell) {
-      painter_.drawText(cell, QLatin1String(c.head), inCell(c.column));
+      painter_.drawText(cell, Drawing::tr(c.head), inCell(c.column));
     });
     double y = area_.top() + kTableHeadPx * scale_;
     for (const Dimension d : kDimensions) {
@@ -259,21 +261,21 @@ double drawRuns(QPainter& painter, const QPointF& baseLine, const TextRuns& runs
 std::vector<Fact> factsOf(const RailReport& report) {
   const RailSummary& s = *report.summary;
   const auto time = report.measuredAt.value_or(std::chrono::system_clock::now());
-  const QString when = report.measuredAt ? QStringLiteral("Measured") : QStringLiteral("Written");
-  return {{QStringLiteral("Rail"), text(s.rail.id)},
-          {QStringLiteral("Heat"), text(s.rail.heat)},
-          {QStringLiteral("Section"), text(report.recipe->section.name)},
-          {QStringLiteral("Recipe"), text(s.recipe)},
-          {QStringLiteral("Length"), numberText(s.lengthM, 2) + QStringLiteral(" m")},
-          {QStringLiteral("Profiles"), QString::number(s.profiles)},
-          {QStringLiteral("Rail temperature"),
-           QStringLiteral("%1 \u00b1 %2 \u00b0C")
+  const bool measured = report.measuredAt.has_value();
+  return {{Drawing::tr("Rail"), text(s.rail.id)},
+          {Drawing::tr("Heat"), text(s.rail.heat)},
+          {Drawing::tr("Section"), text(report.recipe->section.name)},
+          {Drawing::tr("Recipe"), text(s.recipe)},
+          {Drawing::tr("Length"), numberText(s.lengthM, 2) + QStringLiteral(" m")},
+          {Drawing::tr("Profiles"), QString::number(s.profiles)},
+          {Drawing::tr("Rail temperature"),
+           QStringLiteral("%1 \u00b1 %2 °C")
                .arg(numberText(s.rail.temperatureC, 1), numberText(s.rail.temperatureUncertaintyC, 1))},
-          {QStringLiteral("Calibration"), text(calibrationOf(s))},
-          {when + QStringLiteral(" (UTC)"), timeText(time, true)},
-          {when + QStringLiteral(" (local)"), timeText(time, false)},
-          {QStringLiteral("Program"), QStringLiteral("Vignole ") + QString::fromStdString(report.programVersion)},
-          {QStringLiteral("Values"), QStringLiteral("mm at 15 \u00b0C")}};
+          {Drawing::tr("Calibration"), text(calibrationOf(s))},
+          {measured ? Drawing::tr("Measured (UTC)") : Drawing::tr("Written (UTC)"), timeText(time, true)},
+          {measured ? Drawing::tr("Measured (local)") : Drawing::tr("Written (local)"), timeText(time, false)},
+          {Drawing::tr("Program"), QStringLiteral("Vignole ") + QString::fromStdString(report.programVersion)},
+          {Drawing::tr("Values"), Drawing::tr("mm at 15 °C")}};
 }
 
 void paintFacts(QPainter& painter, const QRectF& area, const std::vector<Fact>& facts, int columns,
@@ -299,11 +301,11 @@ void paintFacts(QPainter& painter, const QRectF& area, const std::vector<Fact>& 
 QString verdictHeadline(Verdict verdict) {
   switch (verdict) {
     case Verdict::Fail:
-      return QStringLiteral("Out of tolerance");
+      return Drawing::tr("Out of tolerance");
     case Verdict::NoLimit:
-      return QStringLiteral("No limits to judge by");
+      return Drawing::tr("No limits to judge by");
     case Verdict::NotMeasured:
-      return QStringLiteral("Not valid");
+      return Drawing::tr("Not valid");
     default:
       return wordOf(verdict);
   }
@@ -325,13 +327,13 @@ TextRuns verdictReason(const RailSummary& summary) {
   };
   if (!out.empty()) {
     addNames(runs, out);
-    runs.emplace_back(QStringLiteral(" out of tolerance"));
+    runs.emplace_back(Drawing::tr(" out of tolerance"));
     const auto& exceptions = summary.dimensions[index(out.front())].exceptions;
     if (out.size() == 1 && exceptions.size() == 1)
-      runs.emplace_back(QStringLiteral(" from %1 to %2 m")
+      runs.emplace_back(Drawing::tr(" from %1 to %2 m")
                             .arg(numberText(exceptions.front().fromM, 2), numberText(exceptions.front().toM, 2)));
     else if (out.size() == 1 && !exceptions.empty())
-      runs.emplace_back(QStringLiteral(" in %1 stretches, the first at %2 m")
+      runs.emplace_back(Drawing::tr(" in %1 stretches, the first at %2 m")
                             .arg(exceptions.size())
                             .arg(numberText(exceptions.front().fromM, 2)));
   }
@@ -339,16 +341,16 @@ TextRuns verdictReason(const RailSummary& summary) {
     next();
     addNames(runs, missing);
     const std::string& reason = summary.dimensions[index(missing.front())].reason;
-    runs.emplace_back(QStringLiteral(" not measured") +
-                      (reason.empty() ? QString() : QStringLiteral(", because ") + QString::fromStdString(reason)));
+    runs.emplace_back(reason.empty() ? Drawing::tr(" not measured")
+                                     : Drawing::tr(" not measured, because %1").arg(inWords(reason)));
   }
   if (!near.empty()) {
     next();
     addNames(runs, near);
-    runs.emplace_back(QStringLiteral(" near limit"));
+    runs.emplace_back(Drawing::tr(" near limit"));
   }
   if (runs.empty() && judged > 0)
-    runs.emplace_back(QStringLiteral("%1 toleranced dimensions within their limits over %2 m")
+    runs.emplace_back(Drawing::tr("%1 toleranced dimensions within their limits over %2 m")
                           .arg(judged)
                           .arg(numberText(summary.lengthM, 2)));
   return runs;
@@ -377,7 +379,7 @@ void paintVerdict(QPainter& painter, const QRectF& area, const RailReport& repor
 
 double paintSimulationMark(QPainter& painter, const QPointF& rightMiddle, const Palette& palette) {
   const double scale = scaleOf(painter);
-  const QString word = QStringLiteral("SIMULATION");
+  const QString word = Drawing::tr("SIMULATION");
   painter.setFont(typeface(18 * scale, QFont::Bold));
   const double width = QFontMetricsF(painter.font()).horizontalAdvance(word) + 24 * scale;
   const QRectF frame(rightMiddle.x() - width, rightMiddle.y() - 16 * scale, width, 32 * scale);

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "report/dimension_text.h"
+#include "report/drawing_words.h"
+#include "report/engine_words.h"
 #include "report/hatch.h"
 #include "report/state_symbol.h"
 #include "report/typeface.h"
@@ -21,7 +23,7 @@ constexpr double kTitleRowPx = 28, kAxisRowPx = 20, kLimitsColumnPx = 62;
 constexpr double kRoomBeyondLimits = 0.2;  // of the tolerance, above and below
 constexpr double kFarthestBeyond = 1.5;    // of the tolerance: a wild value must not flatten the rest
 
-QString metresText(double m) { return QString::number(m, 'g', 6); }
+QString metresText(double m) { return QString::number(m, 'g', 6).replace('.', decimalMark()); }
 
 class ChartPainter {
  public:
@@ -159,8 +161,8 @@ class ChartPainter {
     if (s_.values.count() > 0) return;
     painter_.setPen(palette_.invalid);
     painter_.setFont(typeface(kSmallPx * scale_, QFont::Medium));
-    QString reason = QStringLiteral("Not measured");
-    if (!s_.reason.empty()) reason += QStringLiteral(", because ") + QString::fromStdString(s_.reason);
+    const QString reason = s_.reason.empty() ? Drawing::tr("Not measured")
+                                             : Drawing::tr("Not measured, because %1").arg(inWords(s_.reason));
     const QRectF box = painter_.fontMetrics().boundingRect(plot_.toRect(), Qt::AlignCenter | Qt::TextWordWrap, reason);
     painter_.fillRect(box.adjusted(-6, -3, 6, 3), palette_.panel2);
     painter_.drawText(plot_, Qt::AlignCenter | Qt::TextWordWrap, reason);

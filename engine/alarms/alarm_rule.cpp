@@ -56,6 +56,9 @@ std::vector<AlarmRule> makeStandardRules() {
       state("measurement.stopped", Invalid, "The measurement has stopped while a rail passes.",
             "Rails pass unmeasured.", "Start the measurement; if it stops again, save a support bundle in Diagnostics.",
             0.5, 2),
+      state("dimension.not-measured", Invalid, "A toleranced dimension is not measured while a rail passes.",
+            "The rail cannot be judged by it.",
+            "Clean windows and check lasers; see Stripes for where the line is missing.", 1, 5),
       state("rail.out-of-tolerance", OutOfTolerance, "A rail has a stretch out of tolerance.",
             "The rail must not be delivered as it is.",
             "Mark the rail, see its exceptions on Rails, tell the rolling mill which dimension and where.", 0, 0),
@@ -91,6 +94,10 @@ std::vector<AlarmRule> makeStandardRules() {
       limited(state("pipeline.late", Degraded, "The queues of the measurement fill up.", "Profiles will be dropped.",
                     "Close what else runs on this machine; lower the trigger rate.", 5, 10),
               Above, "%", 80, 20, 1),
+      limited(state("window.slow", Degraded, "The window answers slowly.",
+                    "What it shows is late; the measurement goes on.",
+                    "Close what else runs on this machine; see Diagnostics.", 10, 30),
+              Above, "ms", 200, 100, 5),
   };
 }
 

@@ -1,22 +1,45 @@
 #include "gui/alarms/alarm_watch.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 
 #include "engine/archive/alarm_history.h"
+#include "engine/archive/archive_url.h"
 #include "gui/bridge/archive_reader.h"
-#include "report/dimension_text.h"
 
 namespace vignole {
 
 namespace {
 
-constexpr std::size_t kEventsKept = 500;
+constexpr std::uint64_t kTriggersOfAShare = 66;  ///< about a second
+constexpr auto kDiskEvery = std::chrono::seconds(30);
+constexpr std::size_t kEarlierRead = 200;
 
 AlarmTime systemNow() { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); }
 
+std::string verdictWord(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return "good";
+    case Verdict::Near:
+      return "near limit";
+    case Verdict::Fail:
+      return "out of tolerance";
+    case Verdict::NoLimit:
+      return "no limits";
+    case Verdict::NotMeasured:
+      break;
+  }
+  return "not valid";
+}
+
 /// The same as long as the stretch grows: it is told once.
 std::string exceptionText(const DimensionSummary& d) {
-  return std::string(name(d.dimension)) + " from " + numberText(d.exceptions.front().fromM, 2).toStdString() + " m";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%s from %.2f m", std::string(name(d.dimension)).c_str(),
+                d.exceptions.front().fromM);
+  return text.data();
 }
 
 }  // namespace
@@ -24,9 +47,31 @@ std::string exceptionText(const DimensionSummary& d) {
 AlarmWatch::AlarmWatch(Workplace& place, Clock clock, QObject* parent)
     : QObject(parent), place_(place), clock_(clock ? std::move(clock) : systemNow), book_(*AlarmBook::create()) {
   if (place.archive != nullptr) archive_ = std::make_unique<ArchiveReader>(place.archiveUrl);
+  log_ = std::make_unique<AlarmLog>(archive_.get());
+  began_ = clock_();
+  lookBack();
 }
 
+double AlarmWatch::runningS() const { return std::chrono::duration<double>(clock_() - began_).count(); }
+
 AlarmWatch::~AlarmWatch() { archive_.reset(); }
+
+void AlarmWatch::lookBack() {
+  if (!archive_) return;
+  archive_->ask("before", [this](const Archive* archive, const std::string& /*problem*/) -> ArchiveReader::Answer {
+    if (archive == nullptr) return {};
+    const AlarmHistory history(*archive);
+    AlarmQuery query;
+    query.limit = kEarlierRead;
+    auto alarms = history.alarms(query);
+    auto events = history.events({}, {}, kEarlierRead);
+    if (!alarms || !events) return {};
+    return [this, alarms = std::move(*alarms), events = std::move(*events)] {
+      log_->setEarlier(alarms, events);
+      emit changed();
+    };
+  });
+}
 
 std::string AlarmWatch::who() const {
   return place_.session.user().isEmpty() ? "operator" : place_.session.user().toStdString();
@@ -35,6 +80,9 @@ std::string AlarmWatch::who() const {
 void AlarmWatch::follow(const LineSnapshot& line) {
   followRail(line);
   followLine(line);
+  followTriggers(line);
+  followDisk();
+  followEvents(line);
   book_.advance(clock_());
   take();
 }
@@ -67,6 +115,18 @@ void AlarmWatch::followLine(const LineSnapshot& line) {
     if (lost_[i] && !lost[i]) book_.set({"camera.lost", "camera " + std::to_string(c + 1)}, false, now);
   }
   lost_ = lost;
+  // A camera that is lost explains what is not measured.
+  const bool measuringNow = line.state == LineState::Measuring;
+  const UnmeasuredDimension* missing = nullptr;
+  for (const UnmeasuredDimension& u : line.unmeasured)
+    if (const auto& limits = line.recipe->limits[index(u.dimension)];
+        missing == nullptr && (limits.lowerMm || limits.upperMm))
+      missing = &u;
+  const bool unmeasured = measuringNow && missing != nullptr && line.lostCameras.empty();
+  if (unmeasured || unmeasured_)
+    book_.set({"dimension.not-measured", "line"}, unmeasured, now,
+              unmeasured ? std::string(name(missing->dimension)) + ": " + missing->reason : std::string());
+  unmeasured_ = unmeasured;
   book_.set({"measurement.stopped", "line"}, line.state == LineState::Fault || line.state == LineState::Silent, now,
             line.error.empty() ? std::string("no profiles") : line.error);
   const bool measuring = line.state == LineState::Measuring && line.rail && line.rail->profiles > 50;
@@ -84,30 +144,79 @@ void AlarmWatch::followLine(const LineSnapshot& line) {
   }
 }
 
+void AlarmWatch::followTriggers(const LineSnapshot& line) {
+  const TriggerLedger& now = line.triggers;
+  if (now.seen < before_.seen) before_ = {};  // the line has been started anew
+  if (now.seen - before_.seen < kTriggersOfAShare) return;
+  const auto share = [&](std::string_view word) {
+    const auto sum = [word](const TriggerLedger& ledger) {
+      std::uint64_t n = 0;
+      for (const auto& [reason, times] : ledger.reasons)
+        if (reason.starts_with(word)) n += times;
+      return n;
+    };
+    return 100.0 * static_cast<double>(sum(now) - sum(before_)) / static_cast<double>(now.seen - before_.seen);
+  };
+  const AlarmTime at = clock_();
+  book_.observe({"registration.failed", "line"}, share("not registered"), at);
+  for (int c = 0; c < kCameraCount; ++c) {
+    const std::string camera = "camera " + std::to_string(c + 1);
+    // A camera that is lost altogether has its own alarm.
+    book_.observe({"camera.frame-loss", camera}, lost_[static_cast<std::size_t>(c)] ? 0 : share(camera + ":"), at);
+  }
+  before_ = now;
+}
+
+void AlarmWatch::followDisk() {
+  const AlarmTime now = clock_();
+  if (!archive_ || now - diskAsked_ < kDiskEvery) return;
+  diskAsked_ = now;
+  // A disk on a network may keep one waiting: not the window.
+  archive_->ask("disk", [this](const Archive* archive, const std::string& /*problem*/) -> ArchiveReader::Answer {
+    if (archive == nullptr) return {};
+    const auto url = parseArchiveUrl(archive->url());
+    if (!url || url->file.empty()) return {};
+    std::error_code failed;
+    const auto space = std::filesystem::space(std::filesystem::absolute(url->file).parent_path(), failed);
+    if (failed) return {};
+    return [this, gigabytes = static_cast<double>(space.available) / 1e9] {
+      book_.observe({"disk.low", "disk"}, gigabytes, clock_());
+    };
+  });
+}
+
+void AlarmWatch::followEvents(const LineSnapshot& line) {
+  const auto note = [this](const std::string& text) {
+    EventRecord event;
+    event.timeUs = std::chrono::duration_cast<std::chrono::microseconds>(clock_().time_since_epoch()).count();
+    event.source = "line";
+    event.text = text;
+    event.user = who();
+    log_->noteEvent(std::move(event));
+    emit changed();
+  };
+  const auto runs = [](LineState state) { return state != LineState::Idle && state != LineState::Stopped; };
+  if (state_ && runs(*state_) != runs(line.state))
+    note(runs(line.state) ? "the line was started" : "the line was stopped");
+  state_ = line.state;
+  if (line.railsPassed > railsPassed_ && !line.passed.empty())
+    note("rail " + line.passed.back().id + " has passed: " + verdictWord(line.passed.back().verdict));
+  railsPassed_ = line.railsPassed;
+  const QString& user = place_.session.user();
+  if (user != user_) {
+    if (!user_.isEmpty()) note(user_.toStdString() + " signed out");
+    if (!user.isEmpty()) note(user.toStdString() + " signed in");
+    user_ = user;
+  }
+}
+
+void AlarmWatch::observeWindow(double worstMs) { book_.observe({"window.slow", "window"}, worstMs, clock_()); }
+
 void AlarmWatch::take() {
   const std::vector<AlarmEvent> fresh = book_.takeEvents();
   if (fresh.empty()) return;
-  for (const AlarmEvent& event : fresh) {
-    events_.push_front(event);
-    write(event);
-  }
-  while (events_.size() > kEventsKept) events_.pop_back();
+  for (const AlarmEvent& event : fresh) log_->note(event, book_, rail_.empty() ? rail_ : rail_.substr(5));
   emit changed();
-}
-
-void AlarmWatch::write(const AlarmEvent& event) {
-  if (!archive_) return;
-  EventRecord record;
-  record.timeUs = std::chrono::duration_cast<std::chrono::microseconds>(event.time.time_since_epoch()).count();
-  record.source = event.key.rule.empty() ? "alarms" : event.key.rule + ", " + event.key.source;
-  record.text = std::string(name(event.kind)) + (event.text.empty() ? "" : ": " + event.text);
-  record.user = event.who;
-  // Each its own kind: none replaces another that waits.
-  archive_->ask(std::to_string(++written_),
-                [record](const Archive* archive, const std::string&) -> ArchiveReader::Answer {
-                  if (archive != nullptr) (void)AlarmHistory(*archive).addEvent(record);
-                  return {};
-                });
 }
 
 void AlarmWatch::acknowledge(std::uint64_t alarm) {
@@ -115,11 +224,15 @@ void AlarmWatch::acknowledge(std::uint64_t alarm) {
   take();
 }
 
+void AlarmWatch::acknowledge(const std::vector<std::uint64_t>& alarms) {
+  book_.acknowledge(alarms, who(), clock_());
+  take();
+}
+
 void AlarmWatch::acknowledgeAll() {
   std::vector<std::uint64_t> all;
   for (const Alarm& alarm : book_.active()) all.push_back(alarm.id);
-  book_.acknowledge(all, who(), clock_());
-  take();
+  acknowledge(all);
 }
 
 Expected<void> AlarmWatch::shelve(const AlarmKey& key, const std::string& reason, AlarmDuration time) {

@@ -1,10 +1,8 @@
 #include "gui/alarms/alarms_page.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QEvent>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -12,14 +10,17 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QTableWidget>
+#include <algorithm>
 
-#include "gui/alarms/alarm_symbol.h"
-#include "gui/theme/inscription.h"
+#include "gui/alarms/alarm_card.h"
+#include "gui/alarms/alarm_history_panel.h"
+#include "gui/alarms/alarm_words.h"
+#include "gui/alarms/rate_chart.h"
 #include "gui/theme/panel.h"
+#include "report/dimension_text.h"
+#include "report/state_symbol.h"
 
 namespace vignole {
 
@@ -27,55 +28,11 @@ namespace {
 
 constexpr std::array<int, 4> kMinutes = {15, 30, 60, 240};
 constexpr int kOperatorsMinutes = 60;
+constexpr int kHeightForAll = 800;  ///< lower pages leave out the chart and the health
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
-/// Rules are written in English; their translations go by the text itself.
-QString ofRule(const std::string& text) { return QCoreApplication::translate("AlarmRule", text.c_str()); }
-
-QDateTime local(AlarmTime time) { return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count()); }
-
-QPixmap priorityPixmap(AlarmPriority priority, const Palette& palette, int pixels) {
-  QPixmap pixmap(2 * pixels, 2 * pixels);
-  pixmap.setDevicePixelRatio(2);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintPriority(painter, QRectF(1, 1, pixels - 2, pixels - 2), priority, palette);
-  return pixmap;
-}
-
-QString wordOf(AlarmEventKind kind) {
-  switch (kind) {
-    case AlarmEventKind::Raised:
-      return QCoreApplication::translate("AlarmsPage", "came");
-    case AlarmEventKind::Cleared:
-      return QCoreApplication::translate("AlarmsPage", "went");
-    case AlarmEventKind::Acknowledged:
-      return QCoreApplication::translate("AlarmsPage", "acknowledged");
-    case AlarmEventKind::Shelved:
-      return QCoreApplication::translate("AlarmsPage", "shelved");
-    case AlarmEventKind::Unshelved:
-      return QCoreApplication::translate("AlarmsPage", "taken off the shelf");
-    case AlarmEventKind::ShelfRanOut:
-      return QCoreApplication::translate("AlarmsPage", "shelf ran out");
-    case AlarmEventKind::FloodBegan:
-      return QCoreApplication::translate("AlarmsPage", "flood began");
-    case AlarmEventKind::FloodEnded:
-      return QCoreApplication::translate("AlarmsPage", "flood ended");
-  }
-  return {};
-}
-
-QString csvField(QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; }
-
 }  // namespace
-
-QString alarmTitle(const AlarmRule& rule, const std::string& source) {
-  QString cause = ofRule(rule.cause);
-  if (cause.endsWith('.')) cause.chop(1);
-  return cause + QStringLiteral(": ") + shown(source);
-}
 
 AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
     : Page(parent), place_(place), watch_(watch) {
@@ -89,37 +46,71 @@ AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* inside = new QWidget(scroll);
   cards_ = new QVBoxLayout(inside);
   cards_->setContentsMargins(0, 0, 0, 0);
   cards_->setSpacing(8);
   scroll->setWidget(inside);
-  quiet_ = makeLabel(18, 400, "t2", active_);
+  quiet_ = makeLabel(18, 400, "t2", active_, true);
   active_->content()->addWidget(quiet_);
   active_->content()->addWidget(scroll, 1);
+  history_ = new AlarmHistoryPanel(place.theme, watch, this);
+  makeRate();
+  makeShelving();
+  makeHealth();
 
-  history_ = new Panel(this);
-  export_ = makeButton(place.theme, QStringLiteral("export"), history_);
-  history_->head()->addWidget(export_);
-  connect(export_, &QPushButton::clicked, this, &AlarmsPage::exportHistory);
-  historyTable_ = new QTableWidget(0, 5, history_);
-  styleTable(*historyTable_);
-  historyTable_->setIconSize({20, 20});
-  history_->content()->addWidget(historyTable_, 1);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(16, 16, 16, 16);
+  grid->setSpacing(16);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(16);
+  right->addWidget(rate_, 4);
+  right->addWidget(shelving_);
+  right->addWidget(shelved_, 3);
+  right->addWidget(healthPanel_);
+  grid->addWidget(active_, 0, 0);
+  grid->addWidget(history_, 1, 0);
+  grid->addLayout(right, 0, 1, 2, 1);
+  grid->setColumnStretch(0, 11);
+  grid->setColumnStretch(1, 5);
+  grid->setRowStretch(0, 3);
+  grid->setRowStretch(1, 2);
+  connect(&watch_, &AlarmWatch::changed, this, [this] {
+    if (isVisible()) refresh();
+  });
+  connect(&place_.session, &Session::changed, this, [this] {
+    shownActive_.clear();
+    if (isVisible()) refresh();
+  });
+  connect(&place_.theme, &Theme::changed, this, [this] {
+    shownActive_.clear();
+    if (isVisible()) refresh();
+  });
+  setWhole(false);
+  retranslate();
+}
 
+void AlarmsPage::makeRate() {
   rate_ = new Panel(this);
+  chart_ = new RateChart(place_.theme, rate_);
+  rate_->content()->addWidget(chart_, 1);
   auto* figures = new QGridLayout;
-  tenMinutes_ = makeLabel(28, 500, "t1", rate_);
-  hour_ = makeLabel(28, 500, "t1", rate_);
-  day_ = makeLabel(28, 500, "t1", rate_);
-  flood_ = makeLabel(15, 400, "t2", rate_, true);
+  figures->setVerticalSpacing(0);
+  QLabel** numbers[] = {&tenMinutes_, &hour_, &day_};
   for (int i = 0; i < 3; ++i) {
-    figures->addWidget(makeLabel(15, 400, "t2", rate_), 0, i);
-    figures->addWidget(std::array{tenMinutes_, hour_, day_}[static_cast<std::size_t>(i)], 1, i);
+    words_[i] = makeLabel(15, 400, "t2", rate_);
+    *numbers[i] = makeLabel(28, 500, "t1", rate_);
+    figures->addWidget(words_[i], 0, i);
+    figures->addWidget(*numbers[i], 1, i);
+    figures->setColumnStretch(i, 1);
   }
+  flood_ = makeLabel(15, 400, "t2", rate_, true);
   rate_->content()->addLayout(figures);
   rate_->content()->addWidget(flood_);
+}
 
+void AlarmsPage::makeShelving() {
   shelving_ = new Panel(this);
   what_ = new QComboBox(shelving_);
   minutes_ = new QComboBox(shelving_);
@@ -127,7 +118,7 @@ AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
   for (QWidget* w : std::initializer_list<QWidget*>{what_, minutes_, reason_}) w->setFont(uiFont(16));
   what_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   what_->setMinimumContentsLength(12);
-  shelveButton_ = makeButton(place.theme, QStringLiteral("shelve"), shelving_);
+  shelveButton_ = makeButton(place_.theme, QStringLiteral("shelve"), shelving_);
   connect(shelveButton_, &QPushButton::clicked, this, &AlarmsPage::shelve);
   auto* row = new QHBoxLayout;
   row->addWidget(minutes_);
@@ -137,44 +128,33 @@ AlarmsPage::AlarmsPage(Workplace& place, AlarmWatch& watch, QWidget* parent)
   shelving_->content()->addWidget(reason_);
   shelving_->content()->addLayout(row);
   shelving_->content()->addWidget(limit_);
-  shelving_->content()->addStretch(1);
 
   shelved_ = new Panel(this);
-  unshelve_ = makeButton(place.theme, QStringLiteral("revert"), shelved_);
+  unshelve_ = makeButton(place_.theme, QStringLiteral("revert"), shelved_);
   shelved_->head()->addWidget(unshelve_);
   shelvedTable_ = new QTableWidget(0, 3, shelved_);
   styleTable(*shelvedTable_);
   shelved_->content()->addWidget(shelvedTable_, 1);
   connect(unshelve_, &QPushButton::clicked, this, [this] {
     const std::vector<Alarm> all = watch_.book().shelved();
-    const int chosen = shelvedTable_->currentRow();
-    if (chosen < 0 || static_cast<std::size_t>(chosen) >= all.size()) return;
+    const int chosen = std::max(0, shelvedTable_->currentRow());
+    if (static_cast<std::size_t>(chosen) >= all.size()) return;
     if (auto done = watch_.unshelve(all[static_cast<std::size_t>(chosen)].key); !done)
       shelved_->setNote(shown(done.error().message()));
   });
+}
 
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(16, 16, 16, 16);
-  grid->setSpacing(16);
-  grid->addWidget(active_, 0, 0, 2, 1);
-  grid->addWidget(history_, 2, 0, 2, 1);
-  grid->addWidget(rate_, 0, 1);
-  grid->addWidget(shelving_, 1, 1, 2, 1);
-  grid->addWidget(shelved_, 3, 1);
-  grid->setColumnStretch(0, 11);
-  grid->setColumnStretch(1, 5);
-  grid->setRowStretch(0, 1);
-  grid->setRowStretch(1, 3);
-  grid->setRowStretch(2, 1);
-  grid->setRowStretch(3, 2);
-  connect(&watch_, &AlarmWatch::changed, this, [this] {
-    if (isVisible()) refresh();
-  });
-  connect(&place_.theme, &Theme::changed, this, [this] {
-    shownActive_.clear();
-    if (isVisible()) refresh();
-  });
-  retranslate();
+void AlarmsPage::makeHealth() {
+  healthPanel_ = new Panel(this);
+  health_ = new QTableWidget(4, 2, healthPanel_);
+  styleTable(*health_);
+  health_->setSelectionMode(QAbstractItemView::NoSelection);
+  health_->setFocusPolicy(Qt::NoFocus);
+  health_->horizontalHeader()->hide();
+  health_->verticalHeader()->setDefaultSectionSize(30);
+  health_->setFixedHeight(4 * 30 + 2);
+  health_->setIconSize({18, 18});
+  healthPanel_->content()->addWidget(health_);
 }
 
 void AlarmsPage::retranslate() {
@@ -182,15 +162,11 @@ void AlarmsPage::retranslate() {
   acknowledge_->setText(tr("Acknowledge page"));
   acknowledge_->setAccessibleName(tr("Acknowledge all that are shown"));
   acknowledge_->setToolTip(tr("Acknowledge all that are shown (Ctrl+Shift+A)"));
-  history_->setTitle(tr("What happened"));
-  export_->setText(tr("Export…"));
-  export_->setAccessibleName(tr("Export as CSV"));
-  historyTable_->setHorizontalHeaderLabels({tr("Time"), tr("What"), tr("Alarm"), tr("Details"), tr("By")});
-  historyTable_->setAccessibleName(tr("Lives of the alarms, newest first"));
   rate_->setTitle(tr("Rate"));
-  const QStringList spans = {tr("10 min"), tr("Hour"), tr("Day")};
-  auto* figures = qobject_cast<QGridLayout*>(rate_->content()->itemAt(0)->layout());
-  for (int i = 0; i < 3; ++i) qobject_cast<QLabel*>(figures->itemAtPosition(0, i)->widget())->setText(spans[i]);
+  rate_->setNote(tr("alarms in 10 minutes"));
+  words_[0]->setText(tr("10 min"));
+  words_[1]->setText(tr("Hour"));
+  words_[2]->setText(tr("Day"));
   shelving_->setTitle(tr("Shelve"));
   shelving_->setNote(tr("hides an alarm for a while"));
   what_->setAccessibleName(tr("Alarm to shelve"));
@@ -206,7 +182,11 @@ void AlarmsPage::retranslate() {
   shelvedTable_->setHorizontalHeaderLabels({tr("Alarm"), tr("Until"), tr("Reason")});
   shelvedTable_->setAccessibleName(tr("Shelved alarms"));
   limit_->setText(tr("An operator may shelve for %1 minutes at most.").arg(kOperatorsMinutes));
+  healthPanel_->setTitle(tr("Health of the alarms"));
+  healthPanel_->setNote(tr("since the program started"));
+  health_->setAccessibleName(tr("Health of the alarms"));
   shownActive_.clear();
+  history_->retranslate();
   refresh();
 }
 
@@ -217,18 +197,39 @@ void AlarmsPage::changeEvent(QEvent* event) {
 
 void AlarmsPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
+  setWhole(height() >= kHeightForAll);
+  shownActive_.clear();
   refresh();
 }
 
+void AlarmsPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  setWhole(height() >= kHeightForAll);
+}
+
+void AlarmsPage::hideEvent(QHideEvent* event) {
+  Page::hideEvent(event);
+  setWhole(false);  // a page that is not shown must not keep the window from getting smaller
+}
+
+void AlarmsPage::setWhole(bool whole) {
+  chart_->setVisible(whole);
+  healthPanel_->setVisible(whole);
+  layout()->activate();
+}
+
 void AlarmsPage::showLine(const LineSnapshot& /*line*/, PullDetail detail) {
-  if (detail == PullDetail::Everything) showRates();
+  if (detail != PullDetail::Everything || ++ticks_ % 5 != 0) return;  // once a second
+  showRates();
+  showHealth();
 }
 
 void AlarmsPage::refresh() {
   showActive();
-  showHistory();
+  history_->refresh();
   showShelved();
   showRates();
+  showHealth();
   const bool mayLonger = place_.session.may(Permission::TuneLines);
   const int chosen = minutes_->currentIndex();
   minutes_->clear();
@@ -237,119 +238,52 @@ void AlarmsPage::refresh() {
   minutes_->setCurrentIndex(std::clamp(chosen, 0, minutes_->count() - 1));
 }
 
-QWidget* AlarmsPage::card(const Alarm& alarm) {
-  const AlarmRule* rule = watch_.book().rule(alarm.key.rule);
-  const Palette& p = place_.theme.palette();
-  auto* frame = new QFrame;
-  const QColor strong = alarm.priority == AlarmPriority::Invalid          ? p.invalid
-                        : alarm.priority == AlarmPriority::OutOfTolerance ? p.out
-                                                                          : p.near;
-  const bool open = alarm.state != AlarmState::Acknowledged;
-  const QColor soft = !open                                             ? p.panel2
-                      : alarm.priority == AlarmPriority::Invalid        ? p.invalidSoft
-                      : alarm.priority == AlarmPriority::OutOfTolerance ? p.outSoft
-                                                                        : p.nearSoft;
-  frame->setStyleSheet(
-      QStringLiteral("QFrame#card { background: %1; border-left: 8px solid %2; }").arg(soft.name(), strong.name()));
-  frame->setObjectName(QStringLiteral("card"));
-  auto* grid = new QGridLayout(frame);
-  grid->setContentsMargins(12, 8, 12, 8);
-  grid->setVerticalSpacing(2);
-  grid->setHorizontalSpacing(12);
-  auto* symbol = new QLabel(frame);
-  symbol->setPixmap(priorityPixmap(alarm.priority, p, 28));
-  symbol->setAccessibleName(tr("Priority %1").arg(static_cast<int>(alarm.priority)));
-  grid->addWidget(symbol, 0, 0);
-  auto* title = makeLabel(20, 500, "t1", frame, true);
-  title->setText(alarmTitle(*rule, alarm.key.source));
-  grid->addWidget(title, 0, 1, 1, 2);
-  auto* time = makeLabel(18, 500, "t1", frame);
-  time->setText(local(alarm.raised).toString(QStringLiteral("HH:mm:ss")));
-  grid->addWidget(time, 0, 3, Qt::AlignRight);
-  QStringList details;
-  for (const std::string& d : alarm.details) details << shown(d);
-  if (alarm.value) details << QStringLiteral("%1 %2").arg(locale().toString(*alarm.value, 'f', 1), shown(rule->unit));
-  const std::pair<QString, QString> rows[] = {
-      {tr("Cause"), details.isEmpty() ? ofRule(rule->cause) : details.join(QStringLiteral("; "))},
-      {tr("Consequence"), ofRule(rule->consequence)},
-      {tr("Action"), ofRule(rule->action)}};
-  for (int i = 0; i < 3; ++i) {
-    auto* word = makeLabel(15, 400, "t2", frame);
-    word->setText(rows[i].first);
-    auto* text = makeLabel(16, i == 2 ? 500 : 400, "t1", frame, true);
-    text->setText(rows[i].second);
-    grid->addWidget(word, i + 1, 1, Qt::AlignTop);
-    grid->addWidget(text, i + 1, 2);
-  }
-  if (open) {
-    auto* button = makeButton(place_.theme, {}, frame, true);
-    button->setText(tr("Acknowledge"));
-    button->setAccessibleName(tr("Acknowledge: %1").arg(title->text()));
-    button->setEnabled(place_.session.may(Permission::AcknowledgeAlarms));
-    connect(button, &QPushButton::clicked, &watch_, [this, id = alarm.id] { watch_.acknowledge(id); });
-    grid->addWidget(button, 1, 3, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
-  } else {
-    auto* by = makeLabel(15, 400, "t2", frame);
-    by->setText(tr("acknowledged by %1").arg(shown(alarm.acknowledgedBy)));
-    grid->addWidget(by, 1, 3, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
-  }
-  grid->setColumnStretch(2, 1);
-  return frame;
-}
-
 void AlarmsPage::showActive() {
   const std::vector<Alarm> all = watch_.book().active();
+  const bool flood = watch_.rates().flood, may = place_.session.may(Permission::AcknowledgeAlarms);
   std::size_t open = 0;
-  QString now;
+  QString now = flood ? QStringLiteral("flood ") : QString();
   for (const Alarm& alarm : all) {
     if (alarm.state != AlarmState::Acknowledged) ++open;
-    now += QStringLiteral("%1/%2/%3 ").arg(alarm.id).arg(static_cast<int>(alarm.state)).arg(alarm.details.size());
+    now += QStringLiteral("%1/%2/%3/%4%5 ")
+               .arg(alarm.id)
+               .arg(static_cast<int>(alarm.state))
+               .arg(alarm.details.size())
+               .arg(alarm.chattering)
+               .arg(alarm.stale);
   }
-  active_->setNote(all.empty() ? QString()
-                               : tr("%n alarm(s)", nullptr, static_cast<int>(all.size())) + QStringLiteral(", ") +
-                                     tr("%n not acknowledged", nullptr, static_cast<int>(open)));
-  acknowledge_->setEnabled(open > 0 && place_.session.may(Permission::AcknowledgeAlarms));
+  QString note = tr("%n alarm(s)", nullptr, static_cast<int>(all.size())) + QStringLiteral(", ") +
+                 tr("%n not acknowledged", nullptr, static_cast<int>(open));
+  if (flood) note += QStringLiteral(", ") + tr("flood: grouped by rule");
+  active_->setNote(all.empty() ? QString() : note);
+  acknowledge_->setEnabled(open > 0 && may);
   quiet_->setVisible(all.empty());
   quiet_->setText(tr("Nothing is wrong. Alarms appear here with their cause, their consequence and what to do."));
   if (now == shownActive_ && !now.isEmpty()) return;
   shownActive_ = now;
   while (QLayoutItem* item = cards_->takeAt(0)) {
-    if (item->widget() != nullptr) item->widget()->deleteLater();
+    // Not at once: it may be the one whose button has just been pressed.
+    if (item->widget() != nullptr) item->widget()->hide(), item->widget()->deleteLater();
     delete item;
   }
-  for (const Alarm& alarm : all) cards_->addWidget(card(alarm));
+  const auto add = [this](AlarmCard* card) {
+    connect(card, &AlarmCard::acknowledged, &watch_,
+            qOverload<const std::vector<std::uint64_t>&>(&AlarmWatch::acknowledge));
+    cards_->addWidget(card);
+  };
+  if (flood)
+    for (const AlarmGroup& group : watch_.book().groups())
+      add(new AlarmCard(place_.theme, *watch_.book().rule(group.rule), group, may));
+  else
+    for (const Alarm& alarm : all) add(new AlarmCard(place_.theme, *watch_.book().rule(alarm.key.rule), alarm, may));
   cards_->addStretch(1);
   const QString before = what_->currentData().toString();
   what_->clear();
   for (const Alarm& alarm : all)
-    what_->addItem(alarmTitle(*watch_.book().rule(alarm.key.rule), alarm.key.source),
+    what_->addItem(alarmTitle(*watch_.book().rule(alarm.key.rule), alarm.key.source, alarm.details),
                    shown(alarm.key.rule) + '\n' + shown(alarm.key.source));
   if (const int at = what_->findData(before); at >= 0) what_->setCurrentIndex(at);
-  shelveButton_->setEnabled(!all.empty());
-}
-
-void AlarmsPage::showHistory() {
-  const auto& events = watch_.events();
-  historyTable_->setRowCount(static_cast<int>(events.size()));
-  const Palette& p = place_.theme.palette();
-  for (int i = 0; i < static_cast<int>(events.size()); ++i) {
-    const AlarmEvent& e = events[static_cast<std::size_t>(i)];
-    const AlarmRule* rule = watch_.book().rule(e.key.rule);
-    const QString cells[] = {local(e.time).toString(QStringLiteral("HH:mm:ss")), wordOf(e.kind),
-                             rule != nullptr ? alarmTitle(*rule, e.key.source) : tr("alarms"), shown(e.text),
-                             shown(e.who)};
-    for (int column = 0; column < 5; ++column) {
-      auto* item = new QTableWidgetItem(cells[column]);
-      item->setToolTip(cells[column]);
-      if (column == 1 && rule != nullptr) item->setIcon(priorityPixmap(e.priority, p, 20));
-      historyTable_->setItem(i, column, item);
-    }
-  }
-  const int wide = historyTable_->viewport()->width();
-  const int shares[] = {10, 16, 40, 22};
-  for (int column = 0; column < 4; ++column) historyTable_->setColumnWidth(column, wide * shares[column] / 100);
-  history_->setNote(events.empty() ? tr("nothing since the program started") : tr("since the program started"));
-  export_->setEnabled(!events.empty());
+  shelveButton_->setEnabled(!all.empty() && may);
 }
 
 void AlarmsPage::showShelved() {
@@ -358,7 +292,8 @@ void AlarmsPage::showShelved() {
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Alarm& alarm = all[static_cast<std::size_t>(i)];
     const QString cells[] = {alarmTitle(*watch_.book().rule(alarm.key.rule), alarm.key.source),
-                             local(alarm.shelf->until).toString(QStringLiteral("HH:mm")), shown(alarm.shelf->reason)};
+                             localTime(alarm.shelf->until).toString(QStringLiteral("HH:mm")),
+                             shown(alarm.shelf->reason)};
     for (int column = 0; column < 3; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(cells[column]);
@@ -368,7 +303,7 @@ void AlarmsPage::showShelved() {
   const int wide = shelvedTable_->viewport()->width();
   shelvedTable_->setColumnWidth(0, wide / 2);
   shelvedTable_->setColumnWidth(1, wide / 5);
-  unshelve_->setEnabled(!all.empty());
+  unshelve_->setEnabled(!all.empty() && place_.session.may(Permission::AcknowledgeAlarms));
 }
 
 void AlarmsPage::showRates() {
@@ -378,6 +313,52 @@ void AlarmsPage::showRates() {
   day_->setText(QString::number(rates.day));
   flood_->setText(rates.flood ? tr("Flood: more than 10 alarms in 10 minutes. Look for one cause behind them.")
                               : tr("Target: below 1 in 10 minutes; above 10 it is a flood."));
+  QVector<double> ages;
+  const double nowS = static_cast<double>(watch_.now().time_since_epoch().count()) / 1000;
+  for (const AlarmRecord& alarm : watch_.log().history())
+    ages.append(nowS - static_cast<double>(alarm.raisedUs) * 1e-6);
+  chart_->show(ages);
+}
+
+void AlarmsPage::showHealth() {
+  std::size_t chattering = 0, stale = 0, floods = 0;
+  QString which;
+  for (const Alarm& alarm : watch_.book().active()) {
+    if (alarm.chattering && ++chattering == 1)
+      which = alarmTitle(*watch_.book().rule(alarm.key.rule), alarm.key.source, alarm.details);
+    if (alarm.stale) ++stale;
+  }
+  for (const AlarmEvent& step : watch_.log().steps())
+    if (step.kind == AlarmEventKind::FloodBegan) ++floods;
+  const double hours = std::clamp(watch_.runningS() / 3600, 1.0 / 6, 24.0);
+  const double mean = static_cast<double>(watch_.rates().day) / (6 * hours);
+  struct Row {
+    QString what, value;
+    bool fine;
+  };
+  const Row rows[] = {
+      {tr("Mean per 10 minutes"), tr("%1, target below 1").arg(numberText(mean, 2)), mean < 1 || hours < 1},
+      {tr("Floods"), QString::number(floods), floods == 0},
+      {tr("Comes and goes"), chattering == 0 ? QStringLiteral("0") : tr("%1: %2").arg(chattering).arg(which),
+       chattering == 0},
+      {tr("On for more than a day"), QString::number(stale), stale == 0}};
+  const Palette& p = place_.theme.palette();
+  for (int i = 0; i < 4; ++i) {
+    QPixmap sign(36, 36);
+    sign.setDevicePixelRatio(2);
+    sign.fill(Qt::transparent);
+    QPainter painter(&sign);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSymbol(painter, QRectF(0, 0, 18, 18), rows[i].fine ? StateSymbol::Good : StateSymbol::Near, p);
+    painter.end();
+    auto* what = new QTableWidgetItem(QIcon(sign), rows[i].what);
+    auto* value = new QTableWidgetItem(rows[i].value);
+    value->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    value->setToolTip(rows[i].value);
+    health_->setItem(i, 0, what);
+    health_->setItem(i, 1, value);
+  }
+  health_->setColumnWidth(0, health_->viewport()->width() * 55 / 100);
 }
 
 void AlarmsPage::shelve() {
@@ -387,26 +368,8 @@ void AlarmsPage::shelve() {
                                   std::chrono::minutes(minutes_->currentData().toInt()));
   if (done) reason_->clear();
   limit_->setText(done ? tr("An operator may shelve for %1 minutes at most.").arg(kOperatorsMinutes)
-                       : shown(done.error().message()));
-}
-
-void AlarmsPage::exportHistory() {
-  const QString name = QFileDialog::getSaveFileName(this, tr("Export as CSV"), QStringLiteral("alarms.csv"));
-  if (name.isEmpty()) return;
-  QString text = QStringLiteral("time,what,rule,source,priority,details,by\n");
-  for (const AlarmEvent& e : watch_.events())
-    text += QStringList{local(e.time).toString(Qt::ISODateWithMs),
-                        QString::fromUtf8(vignole::name(e.kind).data()),
-                        shown(e.key.rule),
-                        csvField(shown(e.key.source)),
-                        QString::number(static_cast<int>(e.priority)),
-                        csvField(shown(e.text)),
-                        csvField(shown(e.who))}
-                .join(',') +
-            '\n';
-  QSaveFile file(name);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit())
-    history_->setNote(tr("%1 cannot be written: %2").arg(name, file.errorString()));
+                  : reason_->text().trimmed().isEmpty() ? tr("Shelving needs a reason.")
+                                                        : shown(done.error().message()));
 }
 
 }  // namespace vignole

@@ -9,13 +9,14 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QScrollArea;
 class QTableWidget;
 class QVBoxLayout;
 
 namespace vignole {
 
+class AlarmHistoryPanel;
 class Panel;
+class RateChart;
 
 class AlarmsPage : public Page {
   Q_OBJECT
@@ -27,31 +28,35 @@ class AlarmsPage : public Page {
  protected:
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void retranslate();
   void refresh();
   void showActive();
-  void showHistory();
   void showShelved();
   void showRates();
   void shelve();
-  void exportHistory();
-  [[nodiscard]] QWidget* card(const Alarm& alarm);
+  void showHealth();
+  void setWhole(bool whole);  ///< with chart and health
+  void makeRate();
+  void makeShelving();
+  void makeHealth();
 
   Workplace& place_;
   AlarmWatch& watch_;
-  Panel *active_, *history_, *rate_, *shelved_, *shelving_;
+  Panel *active_, *rate_, *shelved_, *shelving_, *healthPanel_;
+  AlarmHistoryPanel* history_;
+  RateChart* chart_;
   QVBoxLayout* cards_;
-  QLabel *quiet_, *tenMinutes_, *hour_, *day_, *flood_, *limit_;
-  QTableWidget *historyTable_, *shelvedTable_;
+  QLabel *quiet_, *tenMinutes_, *hour_, *day_, *words_[3], *flood_, *limit_;
+  QTableWidget *shelvedTable_, *health_;
   QComboBox *what_, *minutes_;
   QLineEdit* reason_;
-  QPushButton *acknowledge_, *export_, *shelveButton_, *unshelve_;
+  QPushButton *acknowledge_, *shelveButton_, *unshelve_;
   QString shownActive_;
+  int ticks_ = 0;
 };
-
-/// "A camera does not answer while a rail passes: camera 3", without its period.
-[[nodiscard]] QString alarmTitle(const AlarmRule& rule, const std::string& source);
 
 }  // namespace vignole

@@ -26,6 +26,7 @@ void EventLoopWatchdog::note(double lateMs) {
   ++histogram_[bin];
   ++turns_;
   maxMs_ = std::max(maxMs_, lateMs);
+  worstMs_ = std::max(worstMs_, lateMs);
 }
 
 double EventLoopWatchdog::quantileMs(double q) const {

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace vignole {
 
@@ -16,6 +17,8 @@ class EventLoopWatchdog : public QObject {
   void note(double lateMs);
   [[nodiscard]] double quantileMs(double q) const;  ///< 0 without a turn
   [[nodiscard]] double maxMs() const { return maxMs_; }
+  /// Of the turns since the last call.
+  double takeWorstMs() { return std::exchange(worstMs_, 0); }
   [[nodiscard]] std::uint64_t turns() const { return turns_; }
 
  private:
@@ -25,7 +28,7 @@ class EventLoopWatchdog : public QObject {
   QElapsedTimer sinceLast_;
   std::array<std::uint32_t, 10001> histogram_{};
   std::uint64_t turns_ = 0;
-  double maxMs_ = 0;
+  double maxMs_ = 0, worstMs_ = 0;
 };
 
 }  // namespace vignole

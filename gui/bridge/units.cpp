@@ -2,19 +2,15 @@
 
 namespace vignole {
 
-namespace {
-constexpr double kMmPerInch = 25.4;
-}
-
 void Units::setLength(Length length) {
   if (length == length_) return;
   length_ = length;
   emit changed();
 }
 
-QString Units::name() const { return length_ == Length::Millimetre ? QStringLiteral("mm") : QStringLiteral("in"); }
-double Units::shown(double mm) const { return length_ == Length::Millimetre ? mm : mm / kMmPerInch; }
-int Units::decimals(int ofMm) const { return length_ == Length::Millimetre ? ofMm : ofMm + 1; }
-double Units::mmFrom(double shown) const { return length_ == Length::Millimetre ? shown : shown * kMmPerInch; }
+QString Units::name() const { return QString::fromLatin1(unitName(length_)); }
+double Units::shown(double mm) const { return inUnit(mm, length_); }
+int Units::decimals(int ofMm) const { return decimalsIn(length_, ofMm); }
+double Units::mmFrom(double shown) const { return shown * kMmPerInch / inUnit(kMmPerInch, length_); }
 
 }  // namespace vignole

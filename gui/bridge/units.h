@@ -4,13 +4,15 @@
 #include <QObject>
 #include <QString>
 
+#include "report/length_unit.h"
+
 namespace vignole {
 
 class Units : public QObject {
   Q_OBJECT
 
  public:
-  enum class Length { Millimetre, Inch };
+  using Length = LengthUnit;
   [[nodiscard]] Length length() const { return length_; }
   void setLength(Length length);
   [[nodiscard]] QString name() const;               ///< "mm", "in"

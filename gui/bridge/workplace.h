@@ -12,6 +12,8 @@
 
 namespace vignole {
 
+class Languages;
+
 struct Workplace {
   Theme& theme;
   Line& line;
@@ -21,6 +23,7 @@ struct Workplace {
   std::string archiveUrl = {};      ///< of `archive`, for whoever opens a connection of its own
   std::string archiveProblem = {};  ///< why: one line
   RailWriter* writer = nullptr;     ///< keeps what the line measures; null: nobody does
+  Languages* languages = nullptr;   ///< null: English alone
 };
 
 }  // namespace vignole

@@ -23,6 +23,7 @@
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 #include "report/state_symbol.h"
 
 namespace vignole {
@@ -201,7 +202,7 @@ void ChartsPage::load(std::int64_t key) {
     if (archive == nullptr)
       return [this, problem] {
         problem_ =
-            tr("Rails are not kept: %1. Start the program with an archive (--archive FILE).").arg(shown(problem));
+            tr("Rails are not kept: %1. Start the program with an archive (--archive FILE).").arg(inWords(problem));
         showAll();
         emit dataChanged();
       };

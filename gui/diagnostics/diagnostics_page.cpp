@@ -21,6 +21,7 @@
 #include "gui/diagnostics/pipeline_panel.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "report/engine_words.h"
 #include "report/state_symbol.h"
 
 namespace vignole {
@@ -229,8 +230,7 @@ void DiagnosticsPage::showComputer() {
   if (place_.archive != nullptr)
     rows.push_back({tr("Archive"), tr("open"), QString::fromStdString(place_.archive->url()), StateSymbol::Good});
   else
-    rows.push_back({tr("Archive"), tr("none: rails are not kept"), QString::fromStdString(place_.archiveProblem),
-                    StateSymbol::Near});
+    rows.push_back({tr("Archive"), tr("none: rails are not kept"), inWords(place_.archiveProblem), StateSymbol::Near});
   const int cores = QThread::idealThreadCount();
   rows.push_back({tr("Processor"), tr("%1 % of one core").arg(qRound(100 * cpuShare_)),
                   tr("%n core(s)", nullptr, cores), cpuShare_ > 0.9 * cores ? StateSymbol::Near : StateSymbol::Good});

@@ -1,13 +1,14 @@
 #pragma once
-// The one alarm that matters most, with its action; a grey sentence when there is none.
+// The one alarm that matters most of those that nobody has seen, with its action; a grey sentence when there is none.
 
-#include <QDateTime>
 #include <QWidget>
-#include <functional>
 #include <optional>
 
-#include "gui/monitor/judgement.h"
+#include "engine/alarms/alarm_book.h"
+#include "gui/bridge/line.h"
 #include "gui/theme/theme.h"
+
+class QPushButton;
 
 namespace vignole {
 
@@ -15,20 +16,27 @@ class AlarmLine : public QWidget {
   Q_OBJECT
 
  public:
-  AlarmLine(const Theme& theme, std::function<QDateTime()> clock, QWidget* parent = nullptr);
-  void show(const LineSnapshot& line);
-  [[nodiscard]] const std::optional<AlarmSentence>& alarm() const { return alarm_; }
+  explicit AlarmLine(const Theme& theme, QWidget* parent = nullptr);
+  void show(const LineSnapshot& line, const AlarmBook& book);
+  [[nodiscard]] const std::optional<Alarm>& alarm() const { return alarm_; }
+  [[nodiscard]] const QString& cause() const { return cause_; }
   [[nodiscard]] const QString& quiet() const { return quiet_; }
 
+ signals:
+  void acknowledged(std::uint64_t alarm);
+
  protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void retranslate();
+
   const Theme& theme_;
-  std::function<QDateTime()> clock_;
-  std::optional<AlarmSentence> alarm_;
-  QDateTime since_;
-  QString quiet_;
+  std::optional<Alarm> alarm_;
+  QString cause_, action_, position_, quiet_;
+  QPushButton* acknowledge_;
 };
 
 }  // namespace vignole

@@ -1,13 +1,17 @@
 #include "gui/main_window/header_bar.h"
 
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <algorithm>
 
 #include "gui/monitor/judgement.h"
 #include "gui/settings/sign_in_panel.h"
+#include "gui/theme/panel.h"
+#include "report/dimension_text.h"
 
 namespace vignole {
 
@@ -21,12 +25,15 @@ QString shown(const std::string& text) { return text.empty() ? kNone : QString::
 class SimulationMark : public QWidget {
  public:
   SimulationMark(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
-    setAccessibleName(tr("Simulation: the rails are not real"));
-    setToolTip(tr("The rails come from the virtual rig"));
     connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
   }
+  void setWord(const QString& word) {
+    word_ = word;
+    updateGeometry();
+    update();
+  }
   [[nodiscard]] QSize sizeHint() const override {
-    return {qRound(QFontMetricsF(uiFont(18, 500)).horizontalAdvance(kWord)) + 24, 36};
+    return {qRound(QFontMetricsF(uiFont(18, 500)).horizontalAdvance(word_)) + 24, 36};
   }
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -38,11 +45,11 @@ class SimulationMark : public QWidget {
     const QRectF box(1, height() / 2.0 - 17, width() - 2, 34);
     painter.drawRoundedRect(box, 3, 3);
     painter.setFont(uiFont(18, 500));
-    painter.drawText(box, Qt::AlignCenter, kWord);
+    painter.drawText(box, Qt::AlignCenter, word_);
   }
 
  private:
-  inline static const QString kWord = QStringLiteral("SIMULATION");
+  QString word_;
   const Theme& theme_;
 };
 
@@ -55,8 +62,16 @@ HeaderField::HeaderField(const Theme& theme, const QString& caption, const QStri
 }
 
 void HeaderField::setCaption(const QString& caption) {
+  if (caption == caption_) return;
   caption_ = caption;
+  setAccessibleName(QStringLiteral("%1: %2").arg(caption_, value_));
+  updateGeometry();
   update();
+}
+
+void HeaderField::setWidest(const QString& widest) {
+  widest_ = widest;
+  updateGeometry();
 }
 
 void HeaderField::setValue(const QString& value) {
@@ -111,59 +126,102 @@ void HeaderField::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-HeaderBar::HeaderBar(const Theme& theme, const Session& session, std::function<QDateTime()> clock, QWidget* parent)
-    : QFrame(parent), theme_(theme), clock_(std::move(clock)) {
+HeaderBar::HeaderBar(const Theme& theme, const Session& session, Languages* languages, std::function<QDateTime()> clock,
+                     QWidget* parent)
+    : QFrame(parent), theme_(theme), clock_(std::move(clock)), session_(session), languages_(languages) {
   setObjectName(QStringLiteral("header"));
   setFixedHeight(64);
-  rail_ = new HeaderField(theme, tr("Rail"), QStringLiteral("V0001-0000"), this);
-  heat_ = new HeaderField(theme, tr("Heat"), QStringLiteral("000000"), this);
-  section_ = new HeaderField(theme, tr("Section"), QStringLiteral("60E1"), this);
-  recipe_ = new HeaderField(theme, tr("Recipe"), QStringLiteral("60E1 X/A  v1"), this);
-  length_ = new HeaderField(theme, tr("Length"), QStringLiteral("00.00 / 00.00 m"), this);
-  speed_ = new HeaderField(theme, tr("Speed"), QStringLiteral("0.00 m/s"), this);
-  gauge_ = new HeaderField(theme, tr("Gauge"), QStringLiteral("Not trusted"), this);
-  gauge_->setSymbol(StateSymbol::NoLimit);
-  time_ = new HeaderField(theme, tr("Time"), QStringLiteral("00:00:00"), this);
-  time_->setHeartbeat(0);
+  addFields();
   simulation_ = new SimulationMark(theme, this);
-  themeButton_ = new QPushButton(this);
-  themeButton_->setFont(uiFont(16, 500));
-  themeButton_->setFixedHeight(44);
-  const auto label = [this] {
-    themeButton_->setText(theme_.dark() ? tr("Light") : tr("Dark"));
-    themeButton_->setAccessibleName(theme_.dark() ? tr("Light theme") : tr("Dark theme"));
-    update();
-  };
-  label();
-  themeButton_->setToolTip(tr("Other theme (Ctrl+D)"));
-  connect(&theme_, &Theme::changed, this, label);
-
   userButton_ = makeButton(theme, QStringLiteral("user"), this);
-  const auto who = [this, &session] {
-    const QString role = roleWord(session.role());
-    userButton_->setText(session.user().isEmpty() ? role : session.user());
-    userButton_->setAccessibleName(session.user().isEmpty() ? tr("%1: sign in").arg(role)
-                                                            : tr("%1, %2: sign out").arg(session.user(), role));
-    userButton_->setToolTip(session.user().isEmpty() ? tr("Sign in (Ctrl+L)") : tr("%1: sign out (Ctrl+L)").arg(role));
-  };
-  who();
-  connect(&session, &Session::changed, this, who);
+  connect(&session, &Session::changed, this, &HeaderBar::nameUser);
+  languageButton_ = makeButton(theme, QStringLiteral("language"), this);
+  languageButton_->setVisible(languages_ != nullptr);
+  if (languages_ != nullptr) addLanguages();
+  themeButton_ = makeButton(theme, QStringLiteral("theme"), this);
+  themeButton_->setFixedWidth(52);
+  connect(&theme_, &Theme::changed, this, &HeaderBar::retranslate);
   auto* row = new QHBoxLayout(this);
   row->setSpacing(0);
   for (HeaderField* field : {rail_, heat_, section_, recipe_, length_, speed_, gauge_, time_}) row->addWidget(field, 1);
   row->addSpacing(8);
   row->addWidget(simulation_);
   row->addSpacing(12);
-  row->addWidget(userButton_);
-  row->addSpacing(6);
-  row->addWidget(themeButton_);
-  row->setContentsMargins(stateWidth(), 0, 12, 0);
+  for (QPushButton* button : {userButton_, languageButton_, themeButton_}) {
+    row->addWidget(button);
+    row->addSpacing(6);
+  }
+  retranslate();
   beat();
+}
+
+void HeaderBar::addFields() {
+  rail_ = new HeaderField(theme_, {}, QStringLiteral("V0001-0000"), this);
+  heat_ = new HeaderField(theme_, {}, QStringLiteral("000000"), this);
+  section_ = new HeaderField(theme_, {}, QStringLiteral("60E1"), this);
+  recipe_ = new HeaderField(theme_, {}, QStringLiteral("60E1 X/A  v1"), this);
+  length_ = new HeaderField(theme_, {}, QStringLiteral("00.00 / 00.00 m"), this);
+  speed_ = new HeaderField(theme_, {}, QStringLiteral("0.00 m/s"), this);
+  gauge_ = new HeaderField(theme_, {}, {}, this);
+  gauge_->setSymbol(StateSymbol::NoLimit);
+  time_ = new HeaderField(theme_, {}, QStringLiteral("00:00:00"), this);
+  time_->setHeartbeat(0);
+}
+
+void HeaderBar::addLanguages() {
+  auto* menu = new QMenu(languageButton_);
+  menu->setFont(uiFont(16));
+  for (const Language& language : Languages::all())
+    menu->addAction(language.ownName, this, [this, code = language.code] { languages_->use(code); });
+  // Not setMenu(): its arrow takes the room of a word.
+  connect(languageButton_, &QPushButton::clicked, menu,
+          [this, menu] { menu->popup(languageButton_->mapToGlobal(QPoint(0, languageButton_->height()))); });
+}
+
+void HeaderBar::retranslate() {
+  rail_->setCaption(tr("Rail"));
+  heat_->setCaption(tr("Heat"));
+  section_->setCaption(tr("Section"));
+  recipe_->setCaption(tr("Recipe"));
+  length_->setCaption(tr("Length"));
+  speed_->setCaption(tr("Speed"));
+  gauge_->setCaption(tr("Gauge"));
+  gauge_->setWidest(widestTrustWord());
+  auto* mark = static_cast<SimulationMark*>(simulation_);
+  mark->setWord(tr("SIMULATION"));
+  mark->setAccessibleName(tr("Simulation: the rails are not real"));
+  mark->setToolTip(tr("The rails come from the virtual rig"));
+  themeButton_->setAccessibleName(theme_.dark() ? tr("Light theme") : tr("Dark theme"));
+  themeButton_->setToolTip(tr("Other theme (Ctrl+D)"));
+  languageButton_->setText(languages_ != nullptr ? languages_->code().toUpper() : QString());
+  languageButton_->setAccessibleName(tr("Language"));
+  languageButton_->setToolTip(tr("Language"));
+  nameUser();
+  layout()->setContentsMargins(stateWidth(), 0, 6, 0);
+  makeRoom();
+  update();
+}
+
+void HeaderBar::nameUser() {
+  const QString role = roleWord(session_.role()), &user = session_.user();
+  const QString text = user.isEmpty() ? role : user;
+  userButton_->setText(userButton_->fontMetrics().elidedText(text, Qt::ElideRight, 130));
+  userButton_->setAccessibleName(user.isEmpty() ? tr("%1: sign in").arg(role) : tr("%1, %2: sign out").arg(user, role));
+  userButton_->setToolTip(user.isEmpty() ? tr("Sign in (Ctrl+L)") : tr("%1: sign out (Ctrl+L)").arg(role));
+}
+
+void HeaderBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
 }
 
 int HeaderBar::stateWidth() const {
   // As wide as the longest word of a state: the rail's id stays where it is when the line stops.
-  return 66 + qRound(QFontMetricsF(uiFont(24, 500)).horizontalAdvance(QStringLiteral("No profiles"))) + 12;
+  double widest = 0;
+  for (int i = 0; i <= static_cast<int>(LineState::Fault); ++i)
+    widest =
+        std::max(widest, QFontMetricsF(uiFont(24, 500)).horizontalAdvance(lineState(static_cast<LineState>(i)).word));
+  return 66 + qRound(widest) + 12;
 }
 
 void HeaderBar::show(const LineSnapshot& line) {
@@ -178,11 +236,11 @@ void HeaderBar::show(const LineSnapshot& line) {
   recipe_->setValue(QStringLiteral("%1  v%2").arg(QString::fromStdString(line.recipe->name)).arg(line.recipe->version));
   QString length = kNone, speed = kNone;
   if (rail) {
-    length = QString::number(line.latest->profile.positionMm / 1000, 'f', 2);
-    if (rail->lengthMm > 0) length += QStringLiteral(" / ") + QString::number(rail->lengthMm / 1000, 'f', 2);
+    length = numberText(line.latest->profile.positionMm / 1000, 2);
+    if (rail->lengthMm > 0) length += QStringLiteral(" / ") + numberText(rail->lengthMm / 1000, 2);
     length += QStringLiteral(" m");
     const double mPerS = line.state == LineState::Measuring ? rail->speedMmPerS / 1000 : 0;
-    if (rail->speedMmPerS > 0) speed = QString::number(mPerS, 'f', 2) + QStringLiteral(" m/s");
+    if (rail->speedMmPerS > 0) speed = numberText(mPerS, 2) + QStringLiteral(" m/s");
   }
   length_->setValue(length);
   speed_->setValue(speed);
@@ -202,9 +260,23 @@ void HeaderBar::beat() {
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
+  makeRoom();
+}
+
+void HeaderBar::makeRoom() {
   // The recipe names the section, and the heat is asked for at a desk: these two go first.
-  section_->setVisible(width() >= 1600);
-  heat_->setVisible(width() >= 1440);
+  HeaderField* const byWorth[] = {section_, heat_, speed_, recipe_};
+  int needed = layout()->contentsMargins().left() + layout()->contentsMargins().right() + 60;
+  for (const HeaderField* field : {rail_, heat_, section_, recipe_, length_, speed_, gauge_, time_})
+    needed += field->sizeHint().width();
+  for (const QWidget* w :
+       std::initializer_list<const QWidget*>{simulation_, userButton_, languageButton_, themeButton_})
+    if (!w->isHidden()) needed += w->sizeHint().width();
+  for (HeaderField* field : byWorth) {
+    const bool fits = needed <= width();
+    field->setVisible(fits);
+    if (!fits) needed -= field->sizeHint().width();
+  }
 }
 
 void HeaderBar::paintEvent(QPaintEvent* event) {

@@ -3,13 +3,17 @@
 
 #include <QDateTime>
 #include <QMainWindow>
+#include <QMessageBox>
+#include <QPointer>
 #include <QTimer>
 #include <array>
+#include <chrono>
 #include <functional>
 
 #include "gui/bridge/event_loop_watchdog.h"
 #include "gui/bridge/workplace.h"
 #include "gui/main_window/page.h"
+#include "gui/main_window/tour.h"
 
 class QStackedWidget;
 
@@ -33,6 +37,8 @@ class MainWindow : public QMainWindow {
       Workplace& place, const Clock& clock = [] { return QDateTime::currentDateTime(); });
 
   void startTicking();
+  /// So long without a key or a touch, and a person who signed in is taken to have gone.
+  void setIdleReturn(std::chrono::milliseconds time) { idle_.setInterval(time); }
   /// One display tick: pulls and shows. Public for tests and pictures.
   void tick(PullDetail detail);
 
@@ -43,10 +49,19 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] HeaderBar& header() { return *header_; }
   [[nodiscard]] AlarmWatch& alarms() { return *alarms_; }
   [[nodiscard]] AlarmLine& alarmLine() { return *alarm_; }
+  /// A few steps over Monitor; `left` of it is told by tourLeft().
+  void startTour();
+  [[nodiscard]] Tour* tour() const { return tour_; }
+  /// Asked while a rail is measured; null: nothing is.
+  [[nodiscard]] QMessageBox* question() const { return question_; }
   [[nodiscard]] const EventLoopWatchdog& watchdog() const { return watchdog_; }
+
+ signals:
+  void tourLeft();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -57,6 +72,7 @@ class MainWindow : public QMainWindow {
   void bindKey(const QKeySequence& key, std::function<void()> action);
   void toggleRun();
   void signInOrOut();
+  void askBeforeClosing();
 
   Workplace& place_;
   Line& line_;
@@ -65,6 +81,9 @@ class MainWindow : public QMainWindow {
   QTimer ticks_, seconds_;
   QTimer idle_;  ///< until a person who signed in is taken to have gone
   int tickNumber_ = 0;
+  /// Closing: at once where a person said so, or when the rail under way has passed.
+  enum class Closing { No, AfterRail, Now } closing_ = Closing::No;
+  QPointer<QMessageBox> question_;
   HeaderBar* header_;
   QStackedWidget* stack_;
   std::array<Page*, kPageCount> all_{};
@@ -74,6 +93,7 @@ class MainWindow : public QMainWindow {
   AlarmLine* alarm_;
   AlarmWatch* alarms_;
   PageBar* pages_;
+  QPointer<Tour> tour_;
 };
 
 }  // namespace vignole

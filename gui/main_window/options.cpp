@@ -5,9 +5,11 @@
 #include <CLI/Formatter.hpp>
 #include <QString>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/recipe/recipe.h"
+#include "gui/languages/languages.h"
 
 namespace vignole {
 
@@ -47,6 +49,10 @@ Expected<void> finish(Options& options, const RawOptions& raw) {
   if (raw.theme != "light" && raw.theme != "dark")
     return inputError("--theme", "\"" + raw.theme + "\" is neither light nor dark");
   options.dark = raw.theme == "dark";
+  if (!options.language.empty() &&
+      std::none_of(Languages::all().begin(), Languages::all().end(),
+                   [&](const Language& l) { return l.code.toStdString() == options.language; }))
+    return inputError("--language", "\"" + options.language + "\" is none of en, es, de, fr, pl, zh");
   if (!options.chosenDimension.empty() && !dimensionFromName(options.chosenDimension))
     return inputError("--choose", "no dimension \"" + options.chosenDimension + "\"");
   const auto size = parseSize(raw.size);
@@ -71,6 +77,7 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
                  "monitor, stripes, charts, rails, calibration, recipes, quality, alarms, diagnostics or settings");
   app.add_option("--archive", options.archive, "FILE or URL of the archive (default: in the user's own data)");
   app.add_option("--theme", raw.theme, "light or dark");
+  app.add_option("--language", options.language, "en, es, de, fr, pl or zh (default: as chosen before)");
   app.add_option("--recipe", raw.recipe, "name or file of the recipe (default 60E1)");
   app.add_option("--seed", rig.seed, "of the virtual rail (default 1)");
   auto* rigSeedOption = app.add_option("--rig-seed", rigSeed, "of the virtual rig (default: the seed)");
@@ -84,6 +91,7 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
   app.add_option("--size", raw.size, "of the window, WIDTHxHEIGHT (default 1920x1080)");
   app.add_option("--after", options.afterS, "seconds before the screenshot (default 5)")
       ->check(CLI::Range(0.0, 86400.0));
+  app.add_flag("--tour", options.tour, "show the tour, even with --screenshot");
   app.add_option("--choose", options.chosenDimension, "dimension whose row is chosen at the start");
   app.add_option("--self-test", options.selfTestS, "run SECONDS, print one JSON document and leave")
       ->check(CLI::Range(0.1, 86400.0));

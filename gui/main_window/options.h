@@ -14,11 +14,13 @@ namespace vignole {
 struct Options {
   PageId page = PageId::Monitor;
   bool dark = false;
+  std::string language;    ///< "de"; empty: as chosen before, else the machine's
   std::string screenshot;  ///< file; empty: none
   QSize size{1920, 1080};
   double afterS = 5;
   std::optional<double> selfTestS;
   std::string chosenDimension;  ///< shown as if its row had been chosen; empty: none
+  bool tour = false;            ///< shown with a picture too
   std::string archive;          ///< URL; empty: the usual one where a person sits, else none
   VirtualLineSettings line;
 };

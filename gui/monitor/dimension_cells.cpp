@@ -183,9 +183,9 @@ void DimensionCells::paintBar(QPainter& painter, const QRectF& box, const Dimens
   painter.setPen(p.t3);
   painter.setFont(uiFont(14));
   painter.drawText(QRectF(leftText - 60, y - 10, 60, 20), Qt::AlignRight | Qt::AlignVCenter,
-                   shortSigned(scale.low() - row.nominalMm));
+                   limitBesideBar(scale.low(), row));
   painter.drawText(QRectF(rightText, y - 10, 60, 20), Qt::AlignLeft | Qt::AlignVCenter,
-                   shortSigned(scale.high() - row.nominalMm));
+                   limitBesideBar(scale.high(), row));
   if (!row.valueMm) return;
   const double u = scale.width(row.expandedUMm);
   const QColor ink = row.held ? p.t3 : p.t1;

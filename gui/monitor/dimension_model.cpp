@@ -2,6 +2,7 @@
 
 #include "gui/theme/inscription.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -17,12 +18,12 @@ void fillLatest(DimensionRow& row, const LineSnapshot& line) {
   row.lowerMm = r.lowerMm;
   row.upperMm = r.upperMm;
   row.positionM = line.latest->profile.positionMm / 1000;
-  row.reason = QString::fromStdString(r.reason);
+  row.reason = inWords(r.reason);
   row.symbol = symbolOf(r.verdict);
-  row.word = r.verdict == Verdict::NotMeasured ? QStringLiteral("Not meas.") : wordOf(r.verdict);
+  row.word = r.verdict == Verdict::NotMeasured ? DimensionModel::tr("Not meas.") : wordOf(r.verdict);
   if (row.held && r.valueMm) {
     row.symbol = StateSymbol::Held;
-    row.word = QStringLiteral("Held");
+    row.word = DimensionModel::tr("Held");
   }
 }
 
@@ -36,6 +37,10 @@ void fillTrack(DimensionRow& row, const RailSummary& rail) {
 
 }  // namespace
 
+QString limitBesideBar(double limitMm, const DimensionRow& row) {
+  return shortSigned(inUnit(limitMm - row.nominalMm, row.unit), decimalsIn(row.unit, 3));
+}
+
 DimensionModel::DimensionModel(QObject* parent) : QAbstractTableModel(parent), rows_(kDimensionCount) {
   for (const Dimension d : kDimensions) rows_[vignole::index(d)].dimension = d;
 }
@@ -45,10 +50,28 @@ void DimensionModel::show(const LineSnapshot& line) {
     DimensionRow fresh;
     fresh.dimension = row.dimension;
     fresh.word = QStringLiteral("–");
+    fresh.unit = unit_;
     if (line.latest) fillLatest(fresh, line);
     if (line.rail) fillTrack(fresh, *line.rail);
     row = std::move(fresh);
   }
+  emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+QStringList DimensionModel::stateWords() {
+  QStringList words{tr("Not meas."), tr("Held")};
+  for (const Verdict v : {Verdict::Pass, Verdict::Near, Verdict::Fail, Verdict::NoLimit}) words << wordOf(v);
+  return words;
+}
+
+void DimensionModel::setUnit(LengthUnit unit) {
+  unit_ = unit;
+  for (DimensionRow& row : rows_) row.unit = unit;
+  retranslate();
+}
+
+void DimensionModel::retranslate() {
+  emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
   emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
@@ -69,32 +92,33 @@ QString DimensionModel::text(const DimensionRow& row, int column) const {
     case Value:
       if (row.notMeasured())
         return row.reason.isEmpty() ? tr("Not measured") : tr("Not measured, because %1").arg(row.reason);
-      return row.valueMm ? numberText(*row.valueMm, places) : none;
+      return row.valueMm ? lengthText(*row.valueMm, places, row.unit) : none;
     case Deviation:
-      return row.valueMm ? deviationText(*row.valueMm - row.nominalMm, places) : none;
+      return row.valueMm ? deviationText(inUnit(*row.valueMm - row.nominalMm, row.unit), decimalsIn(row.unit, places))
+                         : none;
     case Uncertainty:
-      return row.valueMm ? QChar(0x00B1) + numberText(row.expandedUMm, places) : none;
+      return row.valueMm ? QChar(0x00B1) + lengthText(row.expandedUMm, places, row.unit) : none;
     case Bar:
       if (!row.lowerMm && !row.upperMm) return tr("no limit");
       return tr("limits %1 to %2")
-          .arg(row.lowerMm ? shortSigned(*row.lowerMm - row.nominalMm) : none,
-               row.upperMm ? shortSigned(*row.upperMm - row.nominalMm) : none);
+          .arg(row.lowerMm ? limitBesideBar(*row.lowerMm, row) : none,
+               row.upperMm ? limitBesideBar(*row.upperMm, row) : none);
     case Track:
-      return row.outside.isEmpty() ? QString() : tr("%1 stretches out of tolerance").arg(row.outside.size());
+      return row.outside.isEmpty()
+                 ? QString()
+                 : tr("%n stretch(es) out of tolerance", nullptr, static_cast<int>(row.outside.size()));
     default:
       return {};
   }
 }
 
 QString DimensionModel::sentence(const DimensionRow& row) const {
-  const std::string_view full = title(row.dimension);
-  QString words =
-      QStringLiteral("%1, %2: ")
-          .arg(spoken(row.dimension), QString::fromLatin1(full.data(), static_cast<qsizetype>(full.size())));
+  QString words = QStringLiteral("%1, %2: ").arg(spoken(row.dimension), titleOf(row.dimension));
   if (row.waiting) return words + tr("waiting for a profile");
   if (row.notMeasured()) return words + text(row, Value);
-  return words + tr("%1, %2 mm, deviation %3, U %4, %5")
-                     .arg(row.word, text(row, Value), text(row, Deviation), text(row, Uncertainty), text(row, Bar));
+  return words + tr("%1, %2 %3, deviation %4, U %5, %6")
+                     .arg(row.word, text(row, Value), QString::fromLatin1(unitName(row.unit)), text(row, Deviation),
+                          text(row, Uncertainty), text(row, Bar));
 }
 
 QVariant DimensionModel::data(const QModelIndex& index, int role) const {
@@ -116,7 +140,7 @@ QVariant DimensionModel::headerData(int section, Qt::Orientation orientation, in
     case Name:
       return tr("Dimension");
     case Value:
-      return tr("mm");
+      return QString::fromLatin1(unitName(unit_));
     case Deviation:
       return tr("Deviation");
     case Uncertainty:

@@ -3,11 +3,13 @@
 
 #include <QAbstractTableModel>
 #include <QPointF>
+#include <QStringList>
 #include <QVector>
 #include <optional>
 #include <vector>
 
 #include "gui/bridge/line.h"
+#include "report/length_unit.h"
 #include "report/state_symbol.h"
 
 namespace vignole {
@@ -26,9 +28,13 @@ struct DimensionRow {
   QVector<QPointF> track;                  ///< m, mm along the rail
   QVector<QPair<double, double>> outside;  ///< stretches out of tolerance, m
   double lengthM = 0, positionM = 0;
+  LengthUnit unit = LengthUnit::Millimetre;  ///< in which lengths are written
 
   [[nodiscard]] bool notMeasured() const { return !waiting && !valueMm; }
 };
+
+/// "+0.6": a limit as deviation, in the row's unit.
+[[nodiscard]] QString limitBesideBar(double limitMm, const DimensionRow& row);
 
 class DimensionModel : public QAbstractTableModel {
   Q_OBJECT
@@ -38,6 +44,10 @@ class DimensionModel : public QAbstractTableModel {
 
   explicit DimensionModel(QObject* parent = nullptr);
   void show(const LineSnapshot& line);
+  void setUnit(LengthUnit unit);
+  void retranslate();
+  /// All words that State may show.
+  [[nodiscard]] static QStringList stateWords();
   [[nodiscard]] const DimensionRow& row(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -51,6 +61,7 @@ class DimensionModel : public QAbstractTableModel {
   [[nodiscard]] QString sentence(const DimensionRow& row) const;
 
   std::vector<DimensionRow> rows_;
+  LengthUnit unit_ = LengthUnit::Millimetre;
 };
 
 }  // namespace vignole

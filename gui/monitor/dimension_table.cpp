@@ -1,8 +1,10 @@
 #include "gui/monitor/dimension_table.h"
 
+#include <QFontMetricsF>
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 
 namespace vignole {
 
@@ -13,7 +15,6 @@ constexpr int kWidthWithTrack = 900, kWidthWithUncertainty = 700;
 
 DimensionTable::DimensionTable(const Theme& theme, QWidget* parent)
     : QTableView(parent), theme_(theme), model_(new DimensionModel(this)) {
-  setAccessibleName(tr("Dimensions"));
   setModel(model_);
   setItemDelegate(new DimensionCells(theme, this));
   setHorizontalHeader(new DimensionHeads(theme, this));
@@ -30,6 +31,15 @@ DimensionTable::DimensionTable(const Theme& theme, QWidget* parent)
   horizontalHeader()->setMinimumSectionSize(20);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { emit chosenChanged(chosen()); });
   connect(&theme_, &Theme::changed, this, [this] { viewport()->update(); });
+  retranslate();
+}
+
+void DimensionTable::setUnit(LengthUnit unit) { model_->setUnit(unit); }
+
+void DimensionTable::retranslate() {
+  setAccessibleName(tr("Dimensions"));
+  model_->retranslate();
+  layOutColumns();
 }
 
 void DimensionTable::show(const LineSnapshot& line) {
@@ -77,13 +87,20 @@ void DimensionTable::resizeEvent(QResizeEvent* event) {
   layOutColumns();
 }
 
+int DimensionTable::stateWidth() const {
+  const QFontMetricsF metrics(uiFont(16, 500));
+  double widest = 0;
+  for (const QString& word : DimensionModel::stateWords()) widest = std::max(widest, metrics.horizontalAdvance(word));
+  return 16 + 34 + static_cast<int>(std::ceil(widest)) + 8;
+}
+
 void DimensionTable::layOutColumns() {
   const int width = viewport()->width();
   const bool track = width >= kWidthWithTrack, uncertainty = width >= kWidthWithUncertainty;
   setColumnHidden(DimensionModel::Track, !track);
   setColumnHidden(DimensionModel::Uncertainty, !uncertainty);
   // Shares of the mock-up's 1054 px; what is over goes to the bar and the course.
-  const int state = 140, name = width < kWidthWithTrack ? 84 : 96;
+  const int state = std::max(140, stateWidth()), name = width < kWidthWithTrack ? 84 : 96;
   const int value = width < kWidthWithTrack ? 112 : 116, deviation = width < kWidthWithTrack ? 92 : 106;
   const int u = uncertainty ? 88 : 0;
   int rest = width - state - name - value - deviation - u;

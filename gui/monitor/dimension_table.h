@@ -15,6 +15,8 @@ class DimensionTable : public QTableView {
  public:
   explicit DimensionTable(const Theme& theme, QWidget* parent = nullptr);
   void show(const LineSnapshot& line);
+  void setUnit(LengthUnit unit);
+  void retranslate();
   void choose(std::optional<Dimension> dimension);
   [[nodiscard]] std::optional<Dimension> chosen() const;
   [[nodiscard]] const DimensionModel& rows() const { return *model_; }
@@ -31,6 +33,7 @@ class DimensionTable : public QTableView {
 
  private:
   void layOutColumns();
+  [[nodiscard]] int stateWidth() const;
   void spanReasons();
 
   const Theme& theme_;

@@ -1,16 +1,22 @@
 #include "gui/monitor/judgement.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "gui/theme/inscription.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
 namespace {
 
-QString metres(double m, int places = 1) { return QString::number(m, 'f', places) + " m"; }
+struct Judgement {
+  Q_DECLARE_TR_FUNCTIONS(Judgement)
+};
+
+QString metres(double m, int places = 1) { return numberText(m, places) + " m"; }
 
 double positionM(const LineSnapshot& line) { return line.latest ? line.latest->profile.positionMm / 1000 : 0; }
 
@@ -22,17 +28,10 @@ bool hasLimit(const Recipe& recipe, Dimension d) {
   return recipe.limits[index(d)].lowerMm || recipe.limits[index(d)].upperMm;
 }
 
-/// "0.032 above the limit", for a value outside.
-QString beyondLimit(double value, const std::optional<double>& lower, const std::optional<double>& upper, int places) {
-  if (upper && value > *upper) return numberText(value - *upper, places) + QStringLiteral(" above the limit");
-  if (lower && value < *lower) return numberText(*lower - value, places) + QStringLiteral(" below the limit");
-  return QStringLiteral("beyond the limit");
-}
-
 /// "from 37.0 m on" or "from 12.0 to 14.5 m".
 QString stretch(const DimensionException& e, double nowM) {
-  if (nowM - e.toM < 0.5) return QStringLiteral("from %1 on").arg(metres(e.fromM));
-  return QStringLiteral("from %1 to %2").arg(QString::number(e.fromM, 'f', 1), metres(e.toM));
+  if (nowM - e.toM < 0.5) return Judgement::tr("from %1 on").arg(metres(e.fromM));
+  return Judgement::tr("from %1 to %2").arg(numberText(e.fromM, 1), metres(e.toM));
 }
 
 struct Excess {
@@ -49,17 +48,22 @@ std::vector<Excess> excesses(const LineSnapshot& line) {
   return found;
 }
 
-QString excessSentence(const Excess& excess, double nowM) {
+/// "WT 0.032 above the limit from 37.0 m on"
+QString excessSentence(const Excess& excess, double nowM, LengthUnit unit) {
   const DimensionSummary& s = *excess.summary;
-  return QStringLiteral("%1 %2 %3")
-      .arg(inscribed(s.dimension),
-           beyondLimit(excess.exception->worstMm, s.lowerMm, s.upperMm, decimalsOf(s.dimension)),
-           stretch(*excess.exception, nowM));
+  const double worst = excess.exception->worstMm;
+  const QString name = inscribed(s.dimension), where = stretch(*excess.exception, nowM);
+  const auto length = [&](double mm) { return lengthText(mm, decimalsOf(s.dimension), unit); };
+  if (s.upperMm && worst > *s.upperMm)
+    return Judgement::tr("%1 %2 above the limit %3").arg(name, length(worst - *s.upperMm), where);
+  if (s.lowerMm && worst < *s.lowerMm)
+    return Judgement::tr("%1 %2 below the limit %3").arg(name, length(*s.lowerMm - worst), where);
+  return Judgement::tr("%1 beyond the limit %2").arg(name, where);
 }
 
 QString joined(const QStringList& names) {
   if (names.size() <= 1) return names.join(QString());
-  return names.mid(0, names.size() - 1).join(", ") + " and " + names.last();
+  return Judgement::tr("%1 and %2").arg(names.mid(0, names.size() - 1).join(Judgement::tr(", ")), names.last());
 }
 
 std::vector<UnmeasuredDimension> unmeasuredWithLimits(const LineSnapshot& line) {
@@ -78,32 +82,33 @@ QStringList nearNames(const LineSnapshot& line) {
 
 /// What keeps the rail from being measured, in one clause: "camera 3 lost".
 QString cause(const LineSnapshot& line, const std::string& reason) {
-  if (line.lostCameras.empty()) return QString::fromStdString(reason);
+  if (line.lostCameras.empty()) return inWords(reason);
   QStringList cameras;
   for (const LostCamera& lost : line.lostCameras) cameras << QString::number(lost.camera + 1);
-  return (cameras.size() == 1 ? QStringLiteral("camera %1 lost") : QStringLiteral("cameras %1 lost"))
+  return (cameras.size() == 1 ? Judgement::tr("camera %1 lost") : Judgement::tr("cameras %1 lost"))
       .arg(joined(cameras));
 }
 
 VerdictText notValid(const LineSnapshot& line, const std::vector<UnmeasuredDimension>& missing) {
   QStringList names;
   for (const UnmeasuredDimension& u : missing) names << inscribed(u.dimension);
-  const QString which = names.size() > 4 ? QStringLiteral("%1 dimensions").arg(names.size()) : joined(names);
-  return {StateSymbol::NotMeasured, QStringLiteral("Not valid"),
-          QStringLiteral("%1 not measured from %2 on: %3")
+  const QString which = names.size() > 4 ? Judgement::tr("%1 dimensions").arg(names.size()) : joined(names);
+  return {StateSymbol::NotMeasured, Judgement::tr("Not valid"),
+          Judgement::tr("%1 not measured from %2 on: %3")
               .arg(which, metres(missing.front().fromM, 2), cause(line, missing.front().reason)),
           false};
 }
 
-VerdictText outOfTolerance(const LineSnapshot& line) {
+VerdictText outOfTolerance(const LineSnapshot& line, LengthUnit unit) {
   QStringList parts;
-  for (const Excess& e : excesses(line)) parts << excessSentence(e, positionM(line));
-  if (const QStringList near = nearNames(line); !near.isEmpty()) parts << joined(near) + " near limit";
-  if (parts.isEmpty()) parts << QStringLiteral("single profiles outside the limits");
-  return {StateSymbol::Out, QStringLiteral("Out of tolerance"), parts.join(";  "), false};
+  for (const Excess& e : excesses(line)) parts << excessSentence(e, positionM(line), unit);
+  if (const QStringList near = nearNames(line); !near.isEmpty())
+    parts << Judgement::tr("%1 near limit").arg(joined(near));
+  if (parts.isEmpty()) parts << Judgement::tr("single profiles outside the limits");
+  return {StateSymbol::Out, Judgement::tr("Out of tolerance"), parts.join(QStringLiteral(";  ")), false};
 }
 
-VerdictText nearLimit(const LineSnapshot& line) {
+VerdictText nearLimit(const LineSnapshot& line, LengthUnit unit) {
   QStringList parts;
   for (const Dimension d : kDimensions) {
     const auto* r = latestOf(line, d);
@@ -111,55 +116,55 @@ VerdictText nearLimit(const LineSnapshot& line) {
     const double toUpper = r->upperMm ? *r->upperMm - *r->valueMm : 1e9;
     const double toLower = r->lowerMm ? *r->valueMm - *r->lowerMm : 1e9;
     const double distance = std::min(toUpper, toLower);
-    parts << (distance >= 0 ? QStringLiteral("%1 %2 inside the limit, closer than U")
-                            : QStringLiteral("%1 %2 outside the limit, by less than U"))
-                 .arg(inscribed(d), numberText(std::abs(distance), decimalsOf(d)));
+    parts << (distance >= 0 ? Judgement::tr("%1 %2 inside the limit, closer than U")
+                            : Judgement::tr("%1 %2 outside the limit, by less than U"))
+                 .arg(inscribed(d), lengthText(std::abs(distance), decimalsOf(d), unit));
   }
   if (parts.isEmpty()) {
     QStringList names;
     for (const DimensionSummary& d : line.rail->dimensions)
       if (d.verdict == Verdict::Near) names << inscribed(d.dimension);
-    parts << (names.isEmpty() ? QStringLiteral("within the guard band earlier on this rail")
-                              : joined(names) + QStringLiteral(" within the guard band earlier on this rail"));
+    parts << (names.isEmpty() ? Judgement::tr("within the guard band earlier on this rail")
+                              : Judgement::tr("%1 within the guard band earlier on this rail").arg(joined(names)));
   }
-  return {StateSymbol::Near, QStringLiteral("Near limit"), parts.join(";  "), false};
+  return {StateSymbol::Near, Judgement::tr("Near limit"), parts.join(QStringLiteral(";  ")), false};
 }
 
 VerdictText good(const LineSnapshot& line) {
   int judged = 0;
   for (const Dimension d : kDimensions) judged += hasLimit(*line.recipe, d) ? 1 : 0;
-  return {StateSymbol::Good, QStringLiteral("Good"),
-          QStringLiteral("%1 dimensions within limits up to %2").arg(judged).arg(metres(positionM(line), 2)), false};
+  return {StateSymbol::Good, Judgement::tr("Good"),
+          Judgement::tr("%1 dimensions within limits up to %2").arg(judged).arg(metres(positionM(line), 2)), false};
 }
 
-VerdictText liveVerdict(const LineSnapshot& line) {
+VerdictText liveVerdict(const LineSnapshot& line, LengthUnit unit) {
   if (!line.rail || !line.latest) {
     const bool running = line.state != LineState::Idle && line.state != LineState::Stopped;
-    return {running ? StateSymbol::Armed : StateSymbol::Idle, QStringLiteral("Waiting for a rail"),
-            running ? QStringLiteral("the gauge is ready; values appear with the head of the rail")
-                    : QStringLiteral("the line is not running: Ctrl+R starts it"),
+    return {running ? StateSymbol::Armed : StateSymbol::Idle, Judgement::tr("Waiting for a rail"),
+            running ? Judgement::tr("the gauge is ready; values appear with the head of the rail")
+                    : Judgement::tr("the line is not running: Ctrl+R starts it"),
             false};
   }
   if (const auto missing = unmeasuredWithLimits(line); !missing.empty()) return notValid(line, missing);
   switch (line.rail->verdict) {
     case Verdict::Fail:
-      return outOfTolerance(line);
+      return outOfTolerance(line, unit);
     case Verdict::Near:
-      return nearLimit(line);
+      return nearLimit(line, unit);
     case Verdict::Pass:
       return good(line);
     case Verdict::NoLimit:
-      return {StateSymbol::NoLimit, QStringLiteral("No limits"),
-              QStringLiteral("the recipe gives no tolerance to any dimension"), false};
+      return {StateSymbol::NoLimit, Judgement::tr("No limits"),
+              Judgement::tr("the recipe gives no tolerance to any dimension"), false};
     case Verdict::NotMeasured:
       break;
   }
   QStringList names;
   for (const DimensionSummary& d : line.rail->dimensions)
     if (d.verdict == Verdict::NotMeasured && hasLimit(*line.recipe, d.dimension)) names << inscribed(d.dimension);
-  return {StateSymbol::NotMeasured, QStringLiteral("Not valid"),
-          names.isEmpty() ? QStringLiteral("this rail was not measured completely")
-                          : joined(names.mid(0, 4)) + QStringLiteral(" not measured on enough of this rail"),
+  return {StateSymbol::NotMeasured, Judgement::tr("Not valid"),
+          names.isEmpty() ? Judgement::tr("this rail was not measured completely")
+                          : Judgement::tr("%1 not measured on enough of this rail").arg(joined(names.mid(0, 4))),
           false};
 }
 
@@ -168,124 +173,83 @@ VerdictText liveVerdict(const LineSnapshot& line) {
 StateWord lineState(LineState state) {
   switch (state) {
     case LineState::Idle:
-      return {StateSymbol::Idle, QStringLiteral("Idle")};
+      return {StateSymbol::Idle, Judgement::tr("Idle")};
     case LineState::Armed:
-      return {StateSymbol::Armed, QStringLiteral("Armed")};
+      return {StateSymbol::Armed, Judgement::tr("Armed")};
     case LineState::Measuring:
-      return {StateSymbol::Measuring, QStringLiteral("Measuring")};
+      return {StateSymbol::Measuring, Judgement::tr("Measuring")};
     case LineState::Silent:
-      return {StateSymbol::Fault, QStringLiteral("No profiles")};
+      return {StateSymbol::Fault, Judgement::tr("No profiles")};
     case LineState::Stopped:
-      return {StateSymbol::Idle, QStringLiteral("Stopped")};
+      return {StateSymbol::Idle, Judgement::tr("Stopped")};
     case LineState::Fault:
-      return {StateSymbol::Fault, QStringLiteral("Fault")};
+      return {StateSymbol::Fault, Judgement::tr("Fault")};
   }
   return {};
 }
 
-VerdictText railVerdict(const LineSnapshot& line) {
+VerdictText railVerdict(const LineSnapshot& line, LengthUnit unit) {
   // A rail that passes unseen is not good, however good its head was.
   if (line.latest && (line.state == LineState::Silent || line.state == LineState::Fault))
     return {
-        StateSymbol::NotMeasured, QStringLiteral("Not valid"),
-        QStringLiteral("no profiles since %1, %2 ago. Hold this rail.").arg(metres(positionM(line), 2), age(line.ageS)),
+        StateSymbol::NotMeasured, Judgement::tr("Not valid"),
+        Judgement::tr("no profiles since %1, %2 ago. Hold this rail.").arg(metres(positionM(line), 2), age(line.ageS)),
         true};
-  VerdictText text = liveVerdict(line);
+  VerdictText text = liveVerdict(line, unit);
   if (!line.held()) return text;
   text.held = true;
-  text.sentence = QStringLiteral("held: last profile at %1, %2 ago").arg(metres(positionM(line), 2), age(line.ageS));
+  text.sentence = Judgement::tr("held: last profile at %1, %2 ago").arg(metres(positionM(line), 2), age(line.ageS));
   return text;
 }
 
 GaugeTrust gaugeTrust(const LineSnapshot& line) {
   GaugeTrust trust;
   const auto lost = line.lostCameras.size();
-  trust.cameras = QStringLiteral("%1 of %2 cameras, %3 profiles/s")
+  trust.cameras = Judgement::tr("%1 of %2 cameras, %3 profiles/s")
                       .arg(kCameraCount - static_cast<int>(lost))
                       .arg(kCameraCount)
-                      .arg(QString::number(line.profilesPerS, 'f', 1));
-  if (line.state == LineState::Silent) trust.cameras = QStringLiteral("no profiles for %1").arg(age(line.ageS));
-  trust.provenance = QStringLiteral("calibration %1")
-                         .arg(QString::fromStdString(line.calibrationMethod).section(QStringLiteral(" ("), 0, 0));
+                      .arg(numberText(line.profilesPerS, 1));
+  if (line.state == LineState::Silent) trust.cameras = Judgement::tr("no profiles for %1").arg(age(line.ageS));
+  trust.provenance =
+      Judgement::tr("calibration %1").arg(inWords(line.calibrationMethod).section(QStringLiteral(" ("), 0, 0));
   const bool running = line.state == LineState::Measuring || line.state == LineState::Armed;
   if (lost > 0 || line.state == LineState::Fault || line.state == LineState::Silent) {
     trust.symbol = StateSymbol::NotMeasured;
-    trust.word = QStringLiteral("Not trusted");
+    trust.word = Judgement::tr("Not trusted");
   } else if (!running || !line.latest) {
     trust.symbol = StateSymbol::NoLimit;
-    trust.word = QStringLiteral("No data");
-    trust.cameras = running ? QStringLiteral("no profile yet") : QStringLiteral("the line is not running");
+    trust.word = Judgement::tr("No data");
+    trust.cameras = running ? Judgement::tr("no profile yet") : Judgement::tr("the line is not running");
   } else if (line.rail && line.recentIncomplete * 100 > line.rail->profiles && line.rail->profiles > 50) {
     // More than one trigger in a hundred is not normal production any more.
     trust.symbol = StateSymbol::Near;
-    trust.word = QStringLiteral("Degraded");
+    trust.word = Judgement::tr("Degraded");
     trust.provenance =
-        QStringLiteral("%1 of %2 incomplete").arg(count(line.recentIncomplete), count(line.rail->profiles));
+        Judgement::tr("%1 of %2 incomplete").arg(count(line.recentIncomplete), count(line.rail->profiles));
   } else {
     trust.symbol = StateSymbol::Good;
-    trust.word = QStringLiteral("Trusted");
+    trust.word = Judgement::tr("Trusted");
   }
   return trust;
 }
 
-std::optional<AlarmSentence> highestAlarm(const LineSnapshot& line) {
-  const QString rail = line.rail ? QString::fromStdString(line.rail->rail.id) : QString();
-  if (line.state == LineState::Fault)
-    return AlarmSentence{1, QStringLiteral("Measurement ended: %1").arg(QString::fromStdString(line.error)),
-                         QStringLiteral("Hold the rail; start the line again.")};
-  if (line.state == LineState::Silent)
-    return AlarmSentence{1, QStringLiteral("No profiles for %1").arg(age(line.ageS)),
-                         QStringLiteral("Hold the rail; check encoder, trigger and cameras.")};
-  if (!line.lostCameras.empty()) {
-    const QString cameras = cause(line, {});
-    const bool values = unmeasuredWithLimits(line).empty();
-    return AlarmSentence{
-        1,
-        QString(cameras).replace(0, 1, 'C') +
-            (values ? QStringLiteral(": profiles are incomplete") : QStringLiteral(": rails are not fully measured")),
-        QStringLiteral("Hold the rail; check power and cable of camera %1.").arg(line.lostCameras.front().camera + 1)};
-  }
-  if (const auto missing = unmeasuredWithLimits(line); !missing.empty() && line.state == LineState::Measuring)
-    return AlarmSentence{
-        1,
-        QStringLiteral("%1 not measured: %2")
-            .arg(inscribed(missing.front().dimension), QString::fromStdString(missing.front().reason)),
-        QStringLiteral("Hold the rail from %1; check windows and lasers.").arg(metres(missing.front().fromM))};
-  if (const auto out = excesses(line); !out.empty()) {
-    QStringList names;
-    double fromM = out.front().summary->exceptions.front().fromM;
-    for (const Excess& e : out) {
-      names << inscribed(e.summary->dimension);
-      fromM = std::min(fromM, e.summary->exceptions.front().fromM);
-    }
-    return AlarmSentence{2, QStringLiteral("Rail %1 out of tolerance: %2").arg(rail, joined(names)),
-                         QStringLiteral("Mark the rail from %1; tell the roller.").arg(metres(fromM))};
-  }
-  if (const GaugeTrust trust = gaugeTrust(line); trust.symbol == StateSymbol::Near) {
-    // The commonest reason says where to look.
-    std::string worst;
-    std::uint64_t most = 0;
-    for (const auto& [reason, n] : line.triggers.reasons)
-      if (n > most) {
-        most = n;
-        worst = reason;
-      }
-    return AlarmSentence{3, QStringLiteral("Profiles are missing: %1").arg(trust.provenance),
-                         worst.empty() ? QStringLiteral("Look at Pipeline (H).")
-                                       : QStringLiteral("Most often %1.").arg(QString::fromStdString(worst))};
-  }
-  return {};
+QString widestTrustWord() {
+  QString widest;
+  for (const QString& word :
+       {Judgement::tr("Not trusted"), Judgement::tr("No data"), Judgement::tr("Degraded"), Judgement::tr("Trusted")})
+    if (word.size() > widest.size()) widest = word;
+  return widest;
 }
 
 QString quietSentence(const LineSnapshot& line) {
   switch (line.state) {
     case LineState::Idle:
     case LineState::Stopped:
-      return QStringLiteral("The line is stopped: Ctrl+R starts it");
+      return Judgement::tr("The line is stopped: Ctrl+R starts it");
     case LineState::Armed:
-      return QStringLiteral("Ready for the next rail");
+      return Judgement::tr("Ready for the next rail");
     default:
-      return QStringLiteral("No alarm on this rail");
+      return Judgement::tr("No alarm on this rail");
   }
 }
 

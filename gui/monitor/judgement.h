@@ -1,13 +1,14 @@
 #pragma once
-// What Monitor says in words: the verdict of the rail so far, whether the gauge can be trusted, the one alarm that
-// matters most, which dimensions are nearest to their limits. Pure functions of a snapshot: no widget in here.
-// In texts "RAS_l" stands for the name with a subscript (see inscription.h).
+// What Monitor says in words: the verdict of the rail so far, whether the gauge can be trusted, which dimensions are
+// nearest to their limits. Pure functions of a snapshot: no widget in here. In texts "RAS_l" stands for the name with a
+// subscript (see inscription.h).
 
 #include <QString>
 #include <optional>
 #include <vector>
 
 #include "gui/bridge/line.h"
+#include "report/length_unit.h"
 #include "report/state_symbol.h"
 
 namespace vignole {
@@ -25,7 +26,7 @@ struct VerdictText {
   QString sentence;  ///< why, or how far
   bool held = false;
 };
-[[nodiscard]] VerdictText railVerdict(const LineSnapshot& line);
+[[nodiscard]] VerdictText railVerdict(const LineSnapshot& line, LengthUnit unit = LengthUnit::Millimetre);
 
 struct GaugeTrust {
   StateSymbol symbol = StateSymbol::NoLimit;
@@ -34,13 +35,9 @@ struct GaugeTrust {
   QString provenance;  ///< where frames and calibration come from
 };
 [[nodiscard]] GaugeTrust gaugeTrust(const LineSnapshot& line);
+/// The longest of its words, to keep room for.
+[[nodiscard]] QString widestTrustWord();
 
-/// Cause and action. Priority 1: measurement invalid; 2: rail out of tolerance; 3: degraded.
-struct AlarmSentence {
-  int priority = 3;
-  QString cause, action;
-};
-[[nodiscard]] std::optional<AlarmSentence> highestAlarm(const LineSnapshot& line);
 /// The grey sentence of the alarm line when there is no alarm.
 [[nodiscard]] QString quietSentence(const LineSnapshot& line);
 

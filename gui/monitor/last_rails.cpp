@@ -49,7 +49,11 @@ void LastRails::paintTile(QPainter& painter, const QRectF& box, const Tile& tile
   const double symbolY = oneLine ? middle - 12 : middle - 25, idBaseline = oneLine ? middle + 7 : middle - 5;
   paintSymbol(painter, QRectF(box.left() + 10, symbolY, 24, 24), tile.symbol, p);
   const QFont small = uiFont(15);
-  const double wordWidth = oneLine ? QFontMetricsF(small).horizontalAdvance(tile.word) + 10 : 0;
+  // The rail's name stands whole where it can, the word gives way.
+  const double name = std::min(QFontMetricsF(uiFont(15, 500)).horizontalAdvance(tile.id), 0.5 * box.width());
+  const QString word =
+      oneLine ? QFontMetricsF(small).elidedText(tile.word, Qt::ElideRight, box.width() - 42 - 20 - name) : tile.word;
+  const double wordWidth = oneLine ? QFontMetricsF(small).horizontalAdvance(word) + 10 : 0;
   const double room = box.width() - 42 - 8 - wordWidth;
   QFont id = uiFont(20, 500);
   while (id.pixelSize() > 15 && QFontMetricsF(id).horizontalAdvance(tile.id) > room)
@@ -60,7 +64,7 @@ void LastRails::paintTile(QPainter& painter, const QRectF& box, const Tile& tile
   painter.setPen(p.t2);
   painter.setFont(small);
   if (oneLine)
-    painter.drawText(QPointF(box.right() - wordWidth, idBaseline), tile.word);
+    painter.drawText(QPointF(box.right() - wordWidth, idBaseline), word);
   else
     painter.drawText(QPointF(box.left() + 12, middle + 25),
                      QFontMetricsF(small).elidedText(tile.word, Qt::ElideRight, box.width() - 18));

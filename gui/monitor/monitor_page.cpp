@@ -27,7 +27,8 @@ constexpr double kStartMagnification = 20;
 // The second strip leaves windows narrower or lower than this.
 constexpr int kWidthForTwoStrips = 1500, kHeightForTwoStrips = 700;
 
-StripSeries seriesOf(const LineSnapshot& line, Dimension dimension) {
+StripSeries seriesOf(const LineSnapshot& line, Dimension dimension, LengthUnit unit) {
+  const auto shown = [unit](std::optional<double> mm) { return mm ? std::optional(inUnit(*mm, unit)) : std::nullopt; };
   StripSeries series;
   series.name = inscribed(dimension);
   series.value = QStringLiteral("–");
@@ -35,17 +36,19 @@ StripSeries seriesOf(const LineSnapshot& line, Dimension dimension) {
   if (line.latest) {
     const DimensionResult& r = line.latest->measurement.dimensions[index(dimension)];
     series.symbol = symbolOf(r.verdict);
-    series.nominalMm = r.nominalMm;
-    series.lowerMm = r.lowerMm;
-    series.upperMm = r.upperMm;
+    series.nominal = inUnit(r.nominalMm, unit);
+    series.lower = shown(r.lowerMm);
+    series.upper = shown(r.upperMm);
+    series.least = inUnit(0.02, unit);
+    series.decimals = decimalsIn(unit, 3);
     series.positionM = line.latest->profile.positionMm / 1000;
-    series.value = r.valueMm ? numberText(*r.valueMm, decimalsOf(dimension)) : QStringLiteral("no value");
+    series.value = r.valueMm ? lengthText(*r.valueMm, decimalsOf(dimension), unit) : MonitorPage::tr("no value");
   }
   if (line.rail) {
     const DimensionSummary& summary = line.rail->dimensions[index(dimension)];
     series.lengthM = line.rail->rail.lengthMm / 1000;
     for (const TrackBin& bin : summary.track)
-      if (bin.count > 0) series.points.append({bin.positionM, bin.meanMm});
+      if (bin.count > 0) series.points.append({bin.positionM, inUnit(bin.meanMm, unit)});
     for (const DimensionException& e : summary.exceptions) series.outside.append({e.fromM, e.toM});
   }
   if (series.held) series.note = lineState(line.state).word;
@@ -54,8 +57,8 @@ StripSeries seriesOf(const LineSnapshot& line, Dimension dimension) {
 
 }  // namespace
 
-MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent)
-    : Page(parent), theme_(theme), drawingPanel_(new QFrame(this)), tablePanel_(new QFrame(this)) {
+MonitorPage::MonitorPage(const Theme& theme, const Units& units, const Recipe& recipe, QWidget* parent)
+    : Page(parent), theme_(theme), units_(units), drawingPanel_(new QFrame(this)), tablePanel_(new QFrame(this)) {
   setObjectName(QStringLiteral("page"));
   drawingPanel_->setObjectName(QStringLiteral("plotPanel"));
   tablePanel_->setObjectName(QStringLiteral("panel"));
@@ -82,8 +85,10 @@ MonitorPage::MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* pare
 
   connect(table_, &DimensionTable::chosenChanged, this, [this] { pointAtDimension(nullptr); });
   connect(&theme_, &Theme::changed, this, &MonitorPage::relabel);
+  connect(&units_, &Units::changed, this, &MonitorPage::showUnit);
   bindKeys();
-  relabel();
+  retranslate();
+  showUnit();
   setMagnification(kStartMagnification);
 }
 
@@ -94,38 +99,26 @@ QWidget* MonitorPage::makeToolbar() {
   row->setSpacing(0);
   views_ = new QButtonGroup(this);
   views_->setExclusive(true);
-  const std::pair<QString, ProfileView> views[] = {{tr("Whole"), ProfileView::Whole},
-                                                   {tr("Head"), ProfileView::Head},
-                                                   {tr("Web"), ProfileView::Web},
-                                                   {tr("Foot"), ProfileView::Foot}};
-  for (const auto& [word, view] : views) {
-    auto* button = new QPushButton(word, bar);
+  for (const ProfileView view : {ProfileView::Whole, ProfileView::Head, ProfileView::Web, ProfileView::Foot}) {
+    auto* button = new QPushButton(bar);
     button->setCheckable(true);
     button->setObjectName(QStringLiteral("segment"));
     button->setFont(uiFont(16, 500));
-    const int key = static_cast<int>(view) + 1;
-    button->setAccessibleName(tr("View: %1").arg(word.toLower()));
-    button->setToolTip(tr("%1 of the section (%2)").arg(word).arg(key));
     views_->addButton(button, static_cast<int>(view));
     row->addWidget(button);
   }
   views_->button(0)->setChecked(true);
   connect(views_, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<ProfileView>(id)); });
 
-  row->addSpacing(8);
+  row->addSpacing(4);
   less_ = new QPushButton(bar);
-  less_->setAccessibleName(tr("Magnify deviations less"));
-  less_->setToolTip(tr("Magnify deviations less (−)"));
   magnificationLabel_ = new QLabel(bar);
   magnificationLabel_->setObjectName(QStringLiteral("magnification"));
   magnificationLabel_->setFixedHeight(44);
   magnificationLabel_->setFont(uiFont(18, 500));
   magnificationLabel_->setAlignment(Qt::AlignCenter);
   magnificationLabel_->setFixedWidth(64);
-  magnificationLabel_->setToolTip(tr("Deviations are drawn so many times larger (0: back to 20)"));
   more_ = new QPushButton(bar);
-  more_->setAccessibleName(tr("Magnify deviations more"));
-  more_->setToolTip(tr("Magnify deviations more (+)"));
   for (QWidget* w : std::initializer_list<QWidget*>{less_, magnificationLabel_, more_}) row->addWidget(w);
   for (QPushButton* b : {less_, more_}) {
     b->setObjectName(QStringLiteral("segment"));
@@ -135,12 +128,10 @@ QWidget* MonitorPage::makeToolbar() {
   connect(less_, &QPushButton::clicked, this, &MonitorPage::magnifyLess);
   connect(more_, &QPushButton::clicked, this, &MonitorPage::magnifyMore);
 
-  row->addSpacing(8);
-  byCamera_ = new QPushButton(tr("By camera"), bar);
+  row->addSpacing(4);
+  byCamera_ = new QPushButton(bar);
   byCamera_->setCheckable(true);
   byCamera_->setFont(uiFont(16, 500));
-  byCamera_->setAccessibleName(tr("Colour points by camera"));
-  byCamera_->setToolTip(tr("Colour points by camera (C)"));
   connect(byCamera_, &QPushButton::toggled, this, [this](bool on) { canvas_->setByCamera(on); });
   row->addWidget(byCamera_);
   row->addStretch(1);
@@ -148,8 +139,6 @@ QWidget* MonitorPage::makeToolbar() {
   full_->setCheckable(true);
   full_->setFixedWidth(52);
   full_->setIconSize({20, 20});
-  full_->setAccessibleName(tr("Drawing in full view"));
-  full_->setToolTip(tr("Drawing in full view (F11)"));
   connect(full_, &QPushButton::clicked, this, [this] { setFullView(!fullView_); });
   run_ = new QPushButton(bar);
   run_->setMinimumWidth(132);
@@ -171,7 +160,7 @@ void MonitorPage::showLine(const LineSnapshot& line, PullDetail detail) {
 }
 
 void MonitorPage::showFigures(const LineSnapshot& line) {
-  verdict_->show(line);
+  verdict_->show(line, units_.length());
   table_->show(line);
   lastRails_->show(line);
   showStrips(line);
@@ -191,7 +180,7 @@ void MonitorPage::showStrips(const LineSnapshot& line) {
   }
   stripDimensions_ = wanted;
   for (std::size_t i = 0; i < strips_.size(); ++i)
-    strips_[i]->show(i < wanted.size() ? seriesOf(line, wanted[i]) : StripSeries{});
+    strips_[i]->show(i < wanted.size() ? seriesOf(line, wanted[i], units_.length()) : StripSeries{});
 }
 
 void MonitorPage::pointAtDimension(const LineSnapshot* line) {
@@ -240,6 +229,34 @@ void MonitorPage::setRunning(bool running) {
   relabel();
 }
 
+void MonitorPage::showUnit() {
+  table_->setUnit(units_.length());
+  canvas_->setUnit(units_.length());
+}
+
+void MonitorPage::retranslate() {
+  const QString views[] = {tr("Whole"), tr("Head"), tr("Web"), tr("Foot")};
+  for (int i = 0; i < 4; ++i) {
+    QAbstractButton* button = views_->button(i);
+    button->setText(views[i]);
+    button->setAccessibleName(tr("View: %1").arg(views[i].toLower()));
+    button->setToolTip(tr("%1 of the section (%2)").arg(views[i]).arg(i + 1));
+  }
+  less_->setAccessibleName(tr("Magnify deviations less"));
+  less_->setToolTip(tr("Magnify deviations less (−)"));
+  magnificationLabel_->setToolTip(tr("Deviations are drawn so many times larger (0: back to 20)"));
+  more_->setAccessibleName(tr("Magnify deviations more"));
+  more_->setToolTip(tr("Magnify deviations more (+)"));
+  byCamera_->setAccessibleName(tr("Colour points by camera"));
+  byCamera_->setToolTip(tr("Colour points by camera (C)"));
+  full_->setAccessibleName(tr("Drawing in full view"));
+  full_->setToolTip(tr("Drawing in full view (F11)"));
+  table_->retranslate();
+  canvas_->retranslate();
+  relabel();
+  layOut();
+}
+
 void MonitorPage::relabel() {
   const QString run = running_ ? tr("Stop line") : tr("Start line");
   run_->setText(compact_ ? QString() : run);
@@ -280,7 +297,7 @@ void MonitorPage::bindKeys() {
 
 void MonitorPage::changeEvent(QEvent* event) {
   Page::changeEvent(event);
-  if (event->type() == QEvent::LanguageChange) relabel();
+  if (event->type() == QEvent::LanguageChange) retranslate();
 }
 
 void MonitorPage::resizeEvent(QResizeEvent* /*event*/) { layOut(); }
@@ -303,7 +320,11 @@ void MonitorPage::layOut() {
   strips_[1]->setVisible(twoStrips);
   const int stripsHeight = twoStrips ? 2 * strip + stripGap : strip;
   const QRect hero(area.left(), area.top(), leftWidth, area.height() - stripsHeight - gap);
-  for (QAbstractButton* view : views_->buttons()) view->setFixedWidth(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84);
+  for (QAbstractButton* view : views_->buttons()) {
+    view->setFont(uiFont(leftWidth < 640 ? 14 : 16, 500));
+    const int word = view->fontMetrics().horizontalAdvance(view->text()) + 14;
+    view->setFixedWidth(std::max(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84, word));
+  }
   if (const bool compact = leftWidth < 900; compact != compact_) {
     compact_ = compact;
     for (QPushButton* b : {byCamera_, run_}) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "gui/bridge/units.h"
 #include "gui/main_window/page.h"
 #include "gui/theme/theme.h"
 #include "report/profile_drawing.h"
@@ -30,7 +31,7 @@ class MonitorPage : public Page {
 
  public:
   /// The recipe outlives the page.
-  MonitorPage(const Theme& theme, const Recipe& recipe, QWidget* parent = nullptr);
+  MonitorPage(const Theme& theme, const Units& units, const Recipe& recipe, QWidget* parent = nullptr);
 
   void showLine(const LineSnapshot& line, PullDetail detail) override;
 
@@ -67,11 +68,14 @@ class MonitorPage : public Page {
   void bindKeys();
   void back();  ///< one step: full view, then the chosen dimension
   void relabel();
+  void retranslate();
+  void showUnit();
   void layOut();
   void showStrips(const LineSnapshot& line);
   void pointAtDimension(const LineSnapshot* line);
 
   const Theme& theme_;
+  const Units& units_;
   QFrame* drawingPanel_;
   QFrame* tablePanel_;
   QWidget* toolbar_;

@@ -3,13 +3,14 @@
 #include <QPainter>
 
 #include "gui/theme/inscription.h"
+#include "report/dimension_text.h"
 
 namespace vignole {
 
 ProfileCanvas::ProfileCanvas(const Theme& theme, const Recipe& recipe, QWidget* parent)
     : QWidget(parent), theme_(theme) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName(tr("Measured profile over the section"));
+  retranslate();
   drawing_.section = &recipe.section;
   drawing_.limits = &recipe.limits;
   drawing_.parameters = &recipe.parameters;
@@ -21,8 +22,7 @@ void ProfileCanvas::show(const LineSnapshot& line) {
   std::string note;
   if (held)
     note = tr("last profile at %1 m, %2 ago")
-               .arg(line.latest->profile.positionMm / 1000, 0, 'f', 2)
-               .arg(age(line.ageS))
+               .arg(numberText(line.latest->profile.positionMm / 1000, 2), age(line.ageS))
                .toStdString();
   if (line.latest == result_ && held == drawing_.held && note == drawing_.heldNote) return;
   result_ = line.latest;
@@ -31,6 +31,16 @@ void ProfileCanvas::show(const LineSnapshot& line) {
   drawing_.profile = result_ ? &result_->profile : nullptr;
   drawing_.registration = result_ ? &result_->registration : nullptr;
   drawing_.measurement = result_ ? &result_->measurement : nullptr;
+  update();
+}
+
+void ProfileCanvas::setUnit(LengthUnit unit) {
+  drawing_.unit = unit;
+  update();
+}
+
+void ProfileCanvas::retranslate() {
+  setAccessibleName(tr("Measured profile over the section"));
   update();
 }
 

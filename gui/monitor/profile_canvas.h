@@ -22,6 +22,8 @@ class ProfileCanvas : public QWidget {
   void setView(ProfileView view);
   void setMagnification(double magnification);
   void setByCamera(bool byCamera);
+  void setUnit(LengthUnit unit);
+  void retranslate();
   void setSelected(std::optional<Dimension> dimension);
 
   [[nodiscard]] const ProfileDrawing& drawing() const { return drawing_; }

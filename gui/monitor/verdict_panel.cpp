@@ -32,8 +32,8 @@ VerdictPanel::VerdictPanel(const Theme& theme, QWidget* parent) : QWidget(parent
   connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-void VerdictPanel::show(const LineSnapshot& line) {
-  verdict_ = railVerdict(line);
+void VerdictPanel::show(const LineSnapshot& line, LengthUnit unit) {
+  verdict_ = railVerdict(line, unit);
   trust_ = gaugeTrust(line);
   simulation_ = line.simulation;
   setAccessibleName(tr("Verdict: %1, %2. Gauge: %3").arg(verdict_.word, verdict_.sentence, trust_.word));
@@ -81,12 +81,15 @@ void VerdictPanel::paintTrust(QPainter& painter, double left) const {
   const double top = height() / 2.0 - (small ? 34 : 40);
   paintSymbol(painter, QRectF(left, top, 24, 24), trust_.symbol, p);
   painter.setPen(p.t1);
-  paintInscription(painter, left + 34, top + 20, uiFont(small ? 20 : 24, 500), tr("Gauge: ") + trust_.word.toLower(),
-                   room - 34);
+  const QString trust = tr("Gauge: %1").arg(trust_.word.toLower());
+  QFont trustFont = uiFont(small ? 20 : 24, 500);
+  while (trustFont.pixelSize() > 16 && QFontMetricsF(trustFont).horizontalAdvance(trust) > room - 34)
+    trustFont.setPixelSize(trustFont.pixelSize() - 1);
+  paintInscription(painter, left + 34, top + 20, trustFont, trust, room - 34);
   painter.setPen(p.t2);
   paintInscription(painter, left, top + (small ? 42 : 50), uiFont(small ? 15 : 16), trust_.cameras, room);
   paintInscription(painter, left, top + (small ? 62 : 74), uiFont(small ? 15 : 16),
-                   simulation_ ? tr("SIMULATION, ") + trust_.provenance : trust_.provenance, room);
+                   simulation_ ? tr("SIMULATION, %1").arg(trust_.provenance) : trust_.provenance, room);
 }
 
 }  // namespace vignole

@@ -13,7 +13,7 @@ class VerdictPanel : public QWidget {
 
  public:
   explicit VerdictPanel(const Theme& theme, QWidget* parent = nullptr);
-  void show(const LineSnapshot& line);
+  void show(const LineSnapshot& line, LengthUnit unit = LengthUnit::Millimetre);
   [[nodiscard]] const VerdictText& verdict() const { return verdict_; }
   [[nodiscard]] const GaugeTrust& trust() const { return trust_; }
   [[nodiscard]] QSize sizeHint() const override { return {1055, 120}; }

@@ -55,7 +55,7 @@ StripChart::~StripChart() = default;
 
 void StripChart::show(const StripSeries& series) {
   series_ = series;
-  setAccessibleName(QStringLiteral("%1 along the rail: %2").arg(QString(series.name).replace('_', ' '), series.value));
+  setAccessibleName(tr("%1 along the rail: %2").arg(QString(series.name).replace('_', ' '), series.value));
   refresh();
   update(0, 0, kLabelWidth, height());
 }
@@ -128,8 +128,8 @@ void StripChart::refreshAxes() {
   if (!empty) ticker->addTick(length, QStringLiteral("%1 m").arg(QString::number(length, 'g', 4)));
   plot_->xAxis->setTicker(ticker);
 
-  double low = series_.nominalMm, high = series_.nominalMm;
-  for (const auto& limit : {series_.lowerMm, series_.upperMm})
+  double low = series_.nominal, high = series_.nominal;
+  for (const auto& limit : {series_.lower, series_.upper})
     if (limit) {
       low = std::min(low, *limit);
       high = std::max(high, *limit);
@@ -138,15 +138,15 @@ void StripChart::refreshAxes() {
     low = std::min(low, point.y());
     high = std::max(high, point.y());
   }
-  const double margin = std::max((high - low) * 0.16, 0.02);
+  const double margin = std::max((high - low) * 0.16, series_.least);
   plot_->yAxis->setRange(low - margin, high + margin);
 }
 
 void StripChart::refreshLimits() {
   const QCPRange x = plot_->xAxis->range(), y = plot_->yAxis->range();
-  place(expected_, x.lower, x.upper, series_.nominalMm);
-  for (auto [line, beyond, limit, edge] : {std::tuple{lower_, belowLower_, series_.lowerMm, y.lower},
-                                           std::tuple{upper_, aboveUpper_, series_.upperMm, y.upper}}) {
+  place(expected_, x.lower, x.upper, series_.nominal);
+  for (auto [line, beyond, limit, edge] : {std::tuple{lower_, belowLower_, series_.lower, y.lower},
+                                           std::tuple{upper_, aboveUpper_, series_.upper, y.upper}}) {
     line->setVisible(limit.has_value());
     beyond->setVisible(limit.has_value());
     if (!limit) continue;
@@ -154,11 +154,11 @@ void StripChart::refreshLimits() {
     beyond->topLeft->setCoords(x.lower, std::max(*limit, edge));
     beyond->bottomRight->setCoords(x.upper, std::min(*limit, edge));
   }
-  limitText_->setVisible(series_.upperMm.has_value());
-  if (series_.upperMm) {
-    limitText_->setText(shortSigned(*series_.upperMm - series_.nominalMm));
+  limitText_->setVisible(series_.upper.has_value());
+  if (series_.upper) {
+    limitText_->setText(shortSigned(*series_.upper - series_.nominal, series_.decimals));
     limitText_->position->setTypeY(QCPItemPosition::ptPlotCoords);
-    limitText_->position->setCoords(0.99, *series_.upperMm);
+    limitText_->position->setCoords(0.99, *series_.upper);
   }
   cursor_->setVisible(series_.positionM > 0);
   cursor_->start->setCoords(series_.positionM, y.lower);

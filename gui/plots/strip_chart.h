@@ -22,12 +22,14 @@ struct StripSeries {
   QString name;                            ///< "RAS_l"
   QString value;                           ///< as shown beside the plot
   std::optional<StateSymbol> symbol;       ///< none: no profile yet
-  QVector<QPointF> points;                 ///< position in m, value in mm
+  QVector<QPointF> points;                 ///< position in m, value
   QVector<QPair<double, double>> outside;  ///< stretches out of tolerance, m
   double lengthM = 0;                      ///< of the rail; 0: not known
   double positionM = 0;                    ///< where the rail is now
-  double nominalMm = 0;
-  std::optional<double> lowerMm, upperMm;
+  double nominal = 0;
+  std::optional<double> lower, upper;
+  double least = 0.02;  ///< of the range beyond the values
+  int decimals = 3;     ///< of a limit as deviation
   bool held = false;
   QString note;  ///< beside the cursor: why it stands still
 };

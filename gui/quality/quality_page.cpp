@@ -17,6 +17,7 @@
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -156,7 +157,7 @@ void QualityPage::load() {
     if (archive == nullptr)
       return [this, problem] {
         problem_ = tr("Runs come from the archive, and there is none: %1. Start the program with --archive FILE.")
-                       .arg(shown(problem));
+                       .arg(inWords(problem));
         showResult();
         emit railsChanged();
       };

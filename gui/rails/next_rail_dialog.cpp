@@ -53,14 +53,16 @@ NextRailDialog::NextRailDialog(const Theme& theme, RailAnnouncements& rails, QWi
   buttons->addWidget(close_);
   grid->addLayout(buttons, 7, 0, 1, 2);
   connect(announce_, &QPushButton::clicked, this, &NextRailDialog::announce);
-  connect(withdraw_, &QPushButton::clicked, this, [this] {
-    rails_.withdraw();
-    waited_ = false;
-    message_->setText(tr("Nothing waits: the next rail is named by the line."));
-    withdraw_->setEnabled(false);
-  });
+  connect(withdraw_, &QPushButton::clicked, this, &NextRailDialog::withdraw);
   connect(close_, &QPushButton::clicked, this, &QDialog::close);
   retranslate();
+}
+
+void NextRailDialog::withdraw() {
+  rails_.withdraw();
+  waited_ = false;
+  message_->setText(tr("Nothing waits: the next rail is named by the line."));
+  withdraw_->setEnabled(false);
 }
 
 void NextRailDialog::retranslate() {

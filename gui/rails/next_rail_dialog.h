@@ -28,6 +28,7 @@ class NextRailDialog : public QDialog {
 
  private:
   void retranslate();
+  void withdraw();
   void announce();
 
   RailAnnouncements& rails_;

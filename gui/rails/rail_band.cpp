@@ -17,6 +17,13 @@ RailBand::RailBand(const Theme& theme, QWidget* parent) : QWidget(parent), theme
   connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
+void RailBand::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  setAccessibleName(tr("Place along the rail"));
+  update();
+}
+
 void RailBand::setRail(double lengthM, QVector<BandStretch> stretches) {
   lengthM_ = lengthM;
   stretches_ = std::move(stretches);

@@ -28,6 +28,7 @@ class RailBand : public QWidget {
   void positionAsked(double positionM);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

@@ -27,6 +27,7 @@
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 #include "report/rail_report.h"
 
 namespace vignole {
@@ -433,7 +434,7 @@ void RailsPage::search() {
       return [this, problem] {
         showFound({}, 0);
         empty_->setText(
-            tr("Rails are not kept: %1. Start the program with an archive (--archive FILE).").arg(shown(problem)));
+            tr("Rails are not kept: %1. Start the program with an archive (--archive FILE).").arg(inWords(problem)));
       };
     const RailArchive rails(*archive);
     auto found = rails.search(wanted);
@@ -505,7 +506,7 @@ void RailsPage::showFound(std::vector<RailLine> found, std::uint64_t all) {
 
 void RailsPage::openRail(std::int64_t key) {
   reader_->ask("open", [this, key](const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
-    if (archive == nullptr) return [this, problem] { canvas_->setMessage(shown(problem)); };
+    if (archive == nullptr) return [this, problem] { canvas_->setMessage(inWords(problem)); };
     auto rail = vignole::openRail(*archive, key);
     if (!rail) return [this, error = rail.error()] { canvas_->setMessage(shown(error.message())); };
     return [this, opened = std::make_shared<const OpenedRail>(std::move(*rail))] {
@@ -573,7 +574,7 @@ void RailsPage::askProfile() {
   reader_->ask("profile",
                [this, rail = opened_, number = number_](const Archive* archive,
                                                         const std::string& problem) -> ArchiveReader::Answer {
-                 if (archive == nullptr) return [this, problem] { canvas_->setMessage(shown(problem)); };
+                 if (archive == nullptr) return [this, problem] { canvas_->setMessage(inWords(problem)); };
                  auto profile = storedProfile(*archive, *rail, number);
                  if (!profile) return [this, error = profile.error()] { drawing_->setNote(shown(error.message())); };
                  return [this, rail, profile = std::move(*profile)] {
@@ -616,9 +617,9 @@ void RailsPage::showStrips() {
     StripSeries series;
     series.name = inscribed(d);
     series.lengthM = opened_->stored.summary.lengthM;
-    series.nominalMm = summary.nominalMm;
-    series.lowerMm = summary.lowerMm;
-    series.upperMm = summary.upperMm;
+    series.nominal = summary.nominalMm;
+    series.lower = summary.lowerMm;
+    series.upper = summary.upperMm;
     series.value = QStringLiteral("–");
     for (const TrackBin& bin : summary.track)
       if (bin.count > 0) series.points.append({bin.positionM, bin.meanMm});

@@ -1,5 +1,6 @@
 #include "gui/rails/replay_canvas.h"
 
+#include <QEvent>
 #include <QPainter>
 
 namespace vignole {
@@ -7,6 +8,13 @@ namespace vignole {
 ReplayCanvas::ReplayCanvas(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
   setAccessibleName(tr("Profile of the stored rail"));
   connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void ReplayCanvas::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  setAccessibleName(tr("Profile of the stored rail"));
+  update();
 }
 
 void ReplayCanvas::show(std::shared_ptr<const OpenedRail> rail, std::shared_ptr<const ProfileResult> profile,

@@ -22,6 +22,7 @@ class ReplayCanvas : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {260, 200}; }
 
  protected:
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:

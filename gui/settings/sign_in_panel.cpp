@@ -10,6 +10,7 @@
 #include "engine/archive/user_register.h"
 #include "gui/bridge/archive_reader.h"
 #include "gui/theme/theme.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -32,19 +33,34 @@ SignInPanel::SignInPanel(Workplace& place, ArchiveReader& reader, QWidget* paren
   words_ = makeLabel(16, 400, "t2", this, true);
   name_ = new QLineEdit(this);
   password_ = new QLineEdit(this);
-  password_->setEchoMode(QLineEdit::Password);
-  for (QLineEdit* field : {name_, password_}) field->setFont(uiFont(16));
+  newPassword_ = new QLineEdit(this);
+  for (QLineEdit* field : {password_, newPassword_}) field->setEchoMode(QLineEdit::Password);
   button_ = makeButton(place.theme, QStringLiteral("user"), this, true);
+  change_ = makeButton(place.theme, QStringLiteral("edit"), this);
   leave_ = makeButton(place.theme, QStringLiteral("back"), this);
   result_ = makeLabel(15, 500, "t1", this, true);
-  for (QWidget* w : std::initializer_list<QWidget*>{words_, name_, password_, button_, leave_, result_})
+  for (QLineEdit* field : {name_, password_, newPassword_}) field->setFont(uiFont(16));
+  for (QWidget* w :
+       std::initializer_list<QWidget*>{words_, name_, password_, newPassword_, button_, change_, leave_, result_}) {
+    w->setMaximumWidth(640);
     content()->addWidget(w);
+  }
   content()->addStretch(1);
   connect(button_, &QPushButton::clicked, this, &SignInPanel::act);
-  connect(password_, &QLineEdit::returnPressed, this, &SignInPanel::act);
+  connect(password_, &QLineEdit::returnPressed, this, [this] {
+    if (button_->isVisible())
+      act();
+    else
+      newPassword_->setFocus();
+  });
+  connect(change_, &QPushButton::clicked, this, &SignInPanel::changePassword);
+  connect(newPassword_, &QLineEdit::returnPressed, this, &SignInPanel::changePassword);
   connect(leave_, &QPushButton::clicked, this, [this] {
     result_->clear();
+    mustChange_ = false;
+    name_->clear();
     place_.session.leave();
+    show();
   });
   connect(&place_.session, &Session::changed, this, &SignInPanel::show);
   retranslate();
@@ -54,36 +70,90 @@ void SignInPanel::retranslate() {
   setTitle(tr("Who is here"));
   name_->setPlaceholderText(tr("Name"));
   name_->setAccessibleName(tr("Name"));
-  password_->setPlaceholderText(tr("Password"));
-  password_->setAccessibleName(tr("Password"));
-  leave_->setText(tr("Sign out"));
-  leave_->setAccessibleName(tr("Sign out"));
+  newPassword_->setPlaceholderText(tr("New password, at least 8 characters"));
+  newPassword_->setAccessibleName(tr("New password"));
+  change_->setText(tr("Change the password"));
+  change_->setAccessibleName(tr("Change the password"));
   show();
 }
 
 void SignInPanel::focusName() {
+  wantsName_ = !name_->isVisible();
   if (name_->isVisible()) name_->setFocus();
 }
 
 void SignInPanel::show() {
   const bool in = !place_.session.user().isEmpty();
+  if (in) mustChange_ = false;
   setNote(in ? place_.session.user() + QStringLiteral(", ") + roleWord(place_.session.role())
              : roleWord(Role::Operator));
-  for (QWidget* w : std::initializer_list<QWidget*>{name_, password_, button_}) w->setVisible(!in && ready_);
-  leave_->setVisible(in);
+  name_->setVisible(!in && ready_);
+  name_->setEnabled(!mustChange_);
+  if (wantsName_ && name_->isVisible()) focusName();
+  password_->setVisible(in || ready_);
+  password_->setPlaceholderText(in || mustChange_ ? tr("Present password") : tr("Password"));
+  password_->setAccessibleName(password_->placeholderText());
+  button_->setVisible(!in && ready_ && !mustChange_);
+  for (QWidget* w : std::initializer_list<QWidget*>{newPassword_, change_}) w->setVisible(in || mustChange_);
+  leave_->setVisible(in || mustChange_);
+  leave_->setText(in ? tr("Sign out") : tr("Cancel"));
+  leave_->setAccessibleName(leave_->text());
   button_->setText(first_ ? tr("Enter as the first administrator") : tr("Sign in"));
   button_->setAccessibleName(button_->text());
   if (place_.archive == nullptr)
     words_->setText(tr("Nobody can sign in: people are kept in the archive, and there is none (%1).")
-                        .arg(QString::fromStdString(place_.archiveProblem)));
+                        .arg(inWords(place_.archiveProblem)));
   else if (in)
     words_->setText(tr("After a quarter of an hour without a key or a touch it is the operator's screen again."));
+  else if (mustChange_)
+    words_->setText(tr("This password was given by somebody else: choose one of your own."));
   else if (first_)
     words_->setText(
         tr("Nobody is entered yet. The first one is the administrator and enters the others; the password "
            "has at least 8 characters."));
   else
     words_->setText(tr("Without signing in this is the operator's screen: it measures, shows and acknowledges."));
+}
+
+void SignInPanel::told(const QString& words, std::optional<UserAccount> welcome) {
+  button_->setEnabled(true);
+  change_->setEnabled(true);
+  result_->setText(words);
+  if (welcome) {
+    first_ = false;
+    mustChange_ = welcome->mustChangePassword;
+    if (mustChange_) {
+      show();
+      password_->setFocus();
+    } else {
+      name_->clear();
+      place_.session.enter(QString::fromStdString(welcome->name), welcome->role);
+    }
+  }
+  emit answered();
+  emit usersChanged();
+}
+
+void SignInPanel::changePassword() {
+  const bool in = !place_.session.user().isEmpty();
+  const std::string name = in ? place_.session.user().toStdString() : name_->text().trimmed().toStdString(),
+                    old = password_->text().toStdString(), fresh = newPassword_->text().toStdString();
+  password_->clear();
+  newPassword_->clear();
+  change_->setEnabled(false);
+  reader_.ask(
+      "password",
+      [this, name, old, fresh, in](const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
+        if (archive == nullptr) return [this, problem] { told(QString::fromStdString(problem), {}); };
+        UserRegister people(*archive);
+        if (const auto done = people.changePassword(name, old, fresh); !done)
+          return [this, words = inWords(done.error())] { told(words, {}); };
+        if (in) return [this] { told(tr("The password is changed."), {}); };
+        const auto again = people.signIn(name, fresh);
+        if (!again || again->result != SignInResult::Welcome)
+          return [this] { told(tr("The password is changed: sign in with it."), {}); };
+        return [this, account = again->account] { told({}, account); };
+      });
 }
 
 void SignInPanel::lookForUsers() {
@@ -111,42 +181,30 @@ void SignInPanel::act() {
   reader_.ask("sign in",
               [this, name, password, first = first_](const Archive* archive,
                                                      const std::string& problem) -> ArchiveReader::Answer {
-                const auto answer = [this](const QString& words, std::optional<UserAccount> welcome) {
-                  button_->setEnabled(true);
-                  result_->setText(words);
-                  if (welcome) {
-                    name_->clear();
-                    first_ = false;
-                    place_.session.enter(QString::fromStdString(welcome->name), welcome->role);
-                  }
-                  emit answered();
-                  emit usersChanged();
-                };
-                if (archive == nullptr) return [=] { answer(QString::fromStdString(problem), {}); };
+                if (archive == nullptr) return [=, this] { told(QString::fromStdString(problem), {}); };
                 UserRegister people(*archive);
                 if (first) {
                   const auto added = people.add(name, Role::Administrator, password, name, "first administrator");
-                  if (!added)
-                    return [=, words = added.error().message()] { answer(QString::fromStdString(words), {}); };
+                  if (!added) return [=, this, words = inWords(added.error())] { told(words, {}); };
                 }
                 const auto in = people.signIn(name, password);
-                if (!in) return [=, words = in.error().message()] { answer(QString::fromStdString(words), {}); };
+                if (!in) return [=, this, words = inWords(in.error())] { told(words, {}); };
                 return [=, this, in = *in] {
                   switch (in.result) {
                     case SignInResult::Welcome:
-                      answer({}, in.account);
+                      told({}, in.account);
                       break;
                     case SignInResult::WrongNameOrPassword:
-                      answer(tr("Name or password is wrong."), {});
+                      told(tr("Name or password is wrong."), {});
                       break;
                     case SignInResult::Disabled:
-                      answer(tr("This account is closed; ask the administrator."), {});
+                      told(tr("This account is closed; ask the administrator."), {});
                       break;
                     case SignInResult::Locked:
-                      answer(tr("Too many wrong passwords: locked until %1.")
-                                 .arg(QDateTime::fromMSecsSinceEpoch(in.account.lockedUntilUs / 1000)
-                                          .toString(QStringLiteral("HH:mm:ss"))),
-                             {});
+                      told(tr("Too many wrong passwords: locked until %1.")
+                               .arg(QDateTime::fromMSecsSinceEpoch(in.account.lockedUntilUs / 1000)
+                                        .toString(QStringLiteral("HH:mm:ss"))),
+                           {});
                       break;
                   }
                 };

@@ -2,7 +2,9 @@
 // Who sits here: signing in and out; the first administrator where there is nobody yet.
 
 #include <memory>
+#include <optional>
 
+#include "engine/archive/user_register.h"
 #include "gui/bridge/workplace.h"
 #include "gui/theme/panel.h"
 
@@ -28,14 +30,18 @@ class SignInPanel : public Panel {
 
  private:
   void act();
+  void changePassword();
+  void told(const QString& words, std::optional<UserAccount> welcome);
   void show();
 
   Workplace& place_;
   ArchiveReader& reader_;
   bool first_ = false, ready_ = false;
   QLabel *words_, *result_;
-  QLineEdit *name_, *password_;
-  QPushButton *button_, *leave_;
+  QLineEdit *name_, *password_, *newPassword_;
+  QPushButton *button_, *leave_, *change_;
+  bool wantsName_ = false;   ///< as soon as it is there
+  bool mustChange_ = false;  ///< the password fits and was given by somebody else: another one first
 };
 
 /// "administrator" as people read it.

@@ -192,6 +192,9 @@ void StripesPage::retranslate() {
   freeze_->setText(frozen_ ? tr("Live again") : tr("Freeze"));
   freeze_->setAccessibleName(tr("Freeze the pictures"));
   freeze_->setToolTip(tr("Freeze the pictures (P)"));
+  for (int c = 0; c < kCameraCount; ++c) view(c).setAccessibleName(tr("Camera %1").arg(c + 1));
+  trial_->setNote(tr("camera %1").arg(chosen_ + 1));
+  compare();
   showPermission();
 }
 

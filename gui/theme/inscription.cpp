@@ -3,6 +3,8 @@
 #include <QFontMetricsF>
 #include <cmath>
 
+#include "report/dimension_text.h"
+
 namespace vignole {
 
 namespace {
@@ -60,9 +62,10 @@ double paintInscription(QPainter& painter, double left, double baseline, const Q
   return x - left;
 }
 
-QString shortSigned(double value) {
-  const double rounded = std::round(value * 1000) / 1000;
-  const QString text = QString::number(std::abs(rounded), 'g', 6);
+QString shortSigned(double value, int decimals) {
+  const double steps = std::pow(10, decimals);
+  const double rounded = std::round(value * steps) / steps;
+  const QString text = QString::number(std::abs(rounded), 'g', 6).replace('.', decimalMark());
   if (rounded == 0) return QStringLiteral("0");
   return (rounded < 0 ? QChar(0x2212) : QChar('+')) + text;
 }
@@ -75,7 +78,7 @@ QString count(std::uint64_t value) {
 
 QString age(double seconds) {
   const auto whole = static_cast<qint64>(seconds);
-  if (seconds < 10) return QString::number(seconds, 'f', 1) + " s";
+  if (seconds < 10) return numberText(seconds, 1) + " s";
   if (whole < 60) return QStringLiteral("%1 s").arg(whole);
   if (whole < 3600) return QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60);
   return QStringLiteral("%1 h %2 min").arg(whole / 3600).arg(whole / 60 % 60);

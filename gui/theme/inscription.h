@@ -17,10 +17,10 @@ double paintInscription(QPainter& painter, double left, double baseline, const Q
                         double maxWidth = 0);
 
 /// Without trailing zeros: limits beside a bar.
-[[nodiscard]] QString shortSigned(double value);
+[[nodiscard]] QString shortSigned(double value, int decimals = 3);
 /// Thousands parted by a thin gap.
 [[nodiscard]] QString count(std::uint64_t value);
-/// "1.2 s", "2 min 14 s", "3 h 5 min".
+/// "1.2 s", "2 min 14 s", "3 h 5 min": units that need no translation.
 [[nodiscard]] QString age(double seconds);
 /// "FT_r" as people and screen readers say it: "FT r".
 [[nodiscard]] QString spoken(Dimension dimension);

@@ -64,7 +64,8 @@ QString Theme::styleSheet() const {
                  selection-color: @t1; }
     QTableView::item { border-bottom: 1px solid @line2; padding: 0 8px; }
     QTableView:focus { border: 2px solid @accent; }
-    QHeaderView, QHeaderView::section { background: @panel; color: @t2; border: 0; padding: 0 8px; }
+    QHeaderView { background: @panel; border: 0; }
+    QHeaderView::section { background: @panel; color: @t2; border: 0; padding: 0 8px; }
     QHeaderView::section { border-bottom: 1px solid @line; height: 30px; }
     QTableCornerButton::section { background: @panel; border: 0; }
     QScrollBar:vertical { background: @panel; width: 14px; margin: 0; }
@@ -76,6 +77,11 @@ QString Theme::styleSheet() const {
     QLabel[ink="t1"] { color: @t1; }
     QLabel[ink="t2"] { color: @t2; }
     QLabel[ink="t3"] { color: @t3; }
+    QPushButton#inLine { min-height: 32px; }
+    QListWidget { background: @panel; color: @t1; border: 0; outline: 0; }
+    QListWidget::item { padding: 0 12px; border-left: 4px solid @panel; }
+    QListWidget::item:selected { background: @panel2; color: @t1; border-left: 4px solid @accent; }
+    QListWidget:focus { border: 2px solid @accent; }
     QPushButton#first { background: @accent; color: @panel2; border: 1px solid @accent; }
     QPushButton#first:disabled { background: @panel2; color: @t3; border: 1px solid @line; }
     QPushButton#first:focus { border: 3px solid @t1; padding: 0 11px; min-height: 38px; }
@@ -85,7 +91,8 @@ QString Theme::styleSheet() const {
     QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border: 2px solid
         @accent; padding: 0 9px; }
     QLineEdit:disabled, QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: @t3; }
-    QComboBox::drop-down { border: 0; width: 28px; }
+    QComboBox::drop-down { border: 0; width: 32px; }
+    QComboBox::down-arrow { image: url(:/icons/@arrow.svg); width: 16px; height: 16px; }
     QComboBox QAbstractItemView { background: @panel2; color: @t1; selection-background-color: @accsoft;
         selection-color: @t1; border: 1px solid @line; outline: 0; }
     QMenu { background: @panel2; color: @t1; border: 1px solid @line; padding: 4px; }
@@ -108,6 +115,7 @@ QString Theme::styleSheet() const {
       {"@t2", p.t2},       {"@t3", p.t3},         {"@accsoft", p.accentSoft}, {"@accent", p.accent},
   };
   for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
+  sheet.replace(QLatin1String("@arrow"), p.dark ? QStringLiteral("dropdown-dark") : QStringLiteral("dropdown-light"));
   return sheet;
 }
 

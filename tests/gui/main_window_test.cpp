@@ -2,12 +2,16 @@
 
 #include <QAbstractButton>
 #include <QImage>
+#include <QMessageBox>
 #include <QTest>
 #include <gtest/gtest.h>
 #include <set>
 
+#include "gui/languages/languages.h"
 #include "gui/main_window/alarm_line.h"
 #include "gui/main_window/header_bar.h"
+#include "gui/main_window/tour.h"
+#include "gui/monitor/dimension_model.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
 #include "gui/monitor/profile_canvas.h"
@@ -28,10 +32,12 @@ class MainWindowTest : public ::testing::Test {
   Theme theme;
   Session session;
   Units units;
+  Languages languages;  // English has plurals too
   Workplace place{theme, line, session, units};
   std::unique_ptr<MainWindow> window;
 
   void SetUp() override {
+    place.languages = &languages;
     line.snapshot = makeSnapshot();
     window = std::make_unique<MainWindow>(place, stillClock);
     window->resize(1920, 1080);
@@ -142,8 +148,80 @@ TEST_F(MainWindowTest, CtrlRStopsAndStartsTheLine) {
 }
 
 TEST_F(MainWindowTest, ClosingStopsTheLine) {
+  show(emptySnapshot());
   EXPECT_TRUE(window->close());
   EXPECT_EQ(line.stops, 1);
+}
+
+TEST_F(MainWindowTest, ClosingWhileARailIsMeasuredAsksAndFinishesIt) {
+  EXPECT_FALSE(window->close());
+  ASSERT_NE(window->question(), nullptr);
+  EXPECT_EQ(line.stops, 0);
+  const auto press = [this](const char* name) {
+    for (QAbstractButton* button : window->question()->buttons())
+      if (button->accessibleName() == QLatin1String(name)) return QTest::mouseClick(button, Qt::LeftButton);
+    ADD_FAILURE() << name;
+  };
+  press("Stay");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->question() == nullptr; }));
+  EXPECT_FALSE(window->close());
+  press("Close after this rail");
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_EQ(line.stops, 0) << "the rail is finished first";
+  show(emptySnapshot());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isVisible(); }));
+  EXPECT_EQ(line.stops, 1);
+}
+
+TEST_F(MainWindowTest, CtrlAAcknowledgesWhatTheAlarmLineShows) {
+  show(makeSnapshot({.deviationMm = {{Dimension::WT, 1.4}, {Dimension::HW, 0.9}}}));
+  ASSERT_TRUE(window->alarmLine().alarm());
+  EXPECT_EQ(window->alarmLine().cause(), QStringLiteral("Rail V1-0007 out of tolerance: HW and WT"));
+  key(Qt::Key_A, Qt::ControlModifier);
+  window->tick(PullDetail::Everything);
+  EXPECT_FALSE(window->alarmLine().alarm()) << window->alarmLine().cause().toStdString();
+  EXPECT_EQ(window->alarmLine().quiet(), QStringLiteral("1 alarm acknowledged, still on"));
+}
+
+TEST_F(MainWindowTest, InchesAreShownAtOnceAndStoredMillimetresStay) {
+  const auto value = [this] {
+    const auto* model = window->monitor().table().model();
+    return model->index(static_cast<int>(index(Dimension::FW)), DimensionModel::Value).data().toString();
+  };
+  const QString millimetres = value();
+  EXPECT_TRUE(millimetres.startsWith(QStringLiteral("150."))) << millimetres.toStdString();
+  units.setLength(Units::Length::Inch);
+  window->tick(PullDetail::Everything);
+  EXPECT_TRUE(value().startsWith(QStringLiteral("5.9"))) << value().toStdString();
+  EXPECT_EQ(window->monitor().table().model()->headerData(DimensionModel::Value, Qt::Horizontal).toString(),
+            QStringLiteral("in"));
+  EXPECT_EQ(drawing().unit, LengthUnit::Inch);
+  units.setLength(Units::Length::Millimetre);
+  window->tick(PullDetail::Everything);
+  EXPECT_EQ(value(), millimetres);
+}
+
+TEST_F(MainWindowTest, WhoeverHasGoneLeavesTheOperatorsScreenAndThePageStays) {
+  window->setIdleReturn(std::chrono::milliseconds(50));
+  window->showPage(PageId::Charts);
+  session.enter(QStringLiteral("Ana"), Role::Technician);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session.role() == Role::Operator; }));
+  EXPECT_EQ(window->page(), PageId::Charts);
+  EXPECT_TRUE(window->isVisible());
+}
+
+TEST_F(MainWindowTest, TheTourPointsAndIsLeftWithEsc) {
+  window->startTour();
+  ASSERT_NE(window->tour(), nullptr);
+  key(Qt::Key_Right);
+  QTest::keyClick(window->tour(), Qt::Key_Right);
+  EXPECT_GE(window->tour()->step(), 1U);
+  for (const QSize& size : {QSize(1366, 768), QSize(1920, 1080)}) {
+    window->resize(size);
+    EXPECT_EQ(window->tour()->size(), size);
+  }
+  QTest::keyClick(window->tour(), Qt::Key_Escape);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->tour() == nullptr; }));
 }
 
 TEST_F(MainWindowTest, PullsOnATickAndStopsWhenClosed) {

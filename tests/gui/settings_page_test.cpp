@@ -6,11 +6,15 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "engine/archive/audit_trail.h"
 #include "engine/archive/user_register.h"
+#include "gui/settings/audit_panel.h"
+#include "gui/settings/people_panel.h"
 #include "gui/settings/sign_in_panel.h"
 #include "tests/gui/made_line.h"
 
@@ -39,6 +43,7 @@ class SettingsPageTest : public ::testing::Test {
     page = std::make_unique<SettingsPage>(place);
     page->resize(1888, 880);
     page->show();
+    page->askForName();
   }
   template <typename W>
   W* named(const char* accessibleName) {
@@ -47,7 +52,7 @@ class SettingsPageTest : public ::testing::Test {
     ADD_FAILURE() << accessibleName;
     return nullptr;
   }
-  void signIn(const char* name, const char* password, const char* button = "Sign in") {
+  void signIn(const char* name, const char* password, const char* button = "Sign in", bool clear = true) {
     auto* panel = page->findChild<SignInPanel*>();
     QSignalSpy answered(panel, &SignInPanel::answered);
     ASSERT_TRUE(QTest::qWaitFor([&] { return named<QLineEdit>("Name")->isVisible(); }, 10000));
@@ -55,7 +60,7 @@ class SettingsPageTest : public ::testing::Test {
     QTest::keyClicks(named<QLineEdit>("Password"), QLatin1String(password));
     QTest::mouseClick(named<QPushButton>(button), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered.count() > 0; }, 20000));
-    named<QLineEdit>("Name")->clear();
+    if (clear) named<QLineEdit>("Name")->clear();
   }
 };
 
@@ -66,6 +71,7 @@ TEST_F(SettingsPageTest, TheFirstOneIsTheAdministratorWhoEntersOthers) {
   EXPECT_EQ(session.user(), QStringLiteral("Ana"));
   EXPECT_EQ(session.role(), Role::Administrator);
 
+  page->showGroup(SettingsPage::Group::People);
   QTest::keyClicks(named<QLineEdit>("Name of the new person"), QStringLiteral("Ben"));
   QTest::keyClicks(named<QLineEdit>("First password of the new person"), QStringLiteral("another one"));
   QTest::keyClicks(named<QLineEdit>("Reason for entering the person"), QStringLiteral("new technician"));
@@ -73,16 +79,59 @@ TEST_F(SettingsPageTest, TheFirstOneIsTheAdministratorWhoEntersOthers) {
   QTest::mouseClick(named<QPushButton>("Enter a person"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return UserRegister(*archive).accounts()->size() == 2; }, 20000));
 
+  page->askForName();
   QTest::mouseClick(named<QPushButton>("Sign out"), Qt::LeftButton);
   EXPECT_EQ(session.role(), Role::Operator);
   signIn("Ben", "wrong one");
   EXPECT_TRUE(session.user().isEmpty());
-  signIn("Ben", "another one");
+  signIn("Ben", "another one", "Sign in", false);
+  EXPECT_TRUE(session.user().isEmpty()) << "a password that somebody else has given lets nobody in";
+  auto* panel = page->findChild<SignInPanel*>();
+  QSignalSpy answered(panel, &SignInPanel::answered);
+  QTest::keyClicks(named<QLineEdit>("Present password"), QStringLiteral("another one"));
+  QTest::keyClicks(named<QLineEdit>("New password"), QStringLiteral("one of my own"));
+  QTest::mouseClick(named<QPushButton>("Change the password"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return answered.count() > 0; }, 20000));
   EXPECT_EQ(session.role(), Role::Technician);
+  page->showGroup(SettingsPage::Group::People);
   EXPECT_FALSE(named<QPushButton>("Enter a person")->isVisible()) << "people are the administrator's";
 }
 
+TEST_F(SettingsPageTest, AnAccountIsClosedWithAReasonThatStandsInTheAuditTrail) {
+  signIn("Ana", "long enough", "Enter as the first administrator");
+  ASSERT_TRUE(UserRegister(*archive).add("Ben", Role::QA, "another one", "Ana", "new"));
+  page->showGroup(SettingsPage::Group::People);
+  auto* people = page->findChild<PeoplePanel*>();
+  people->load();
+  auto* table = named<QTableWidget>("People who may sign in");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->rowCount() == 2; }, 20000));
+  const int ben = table->item(0, 0)->text() == QStringLiteral("Ben") ? 0 : 1;
+  table->selectRow(ben);
+  auto* close = named<QPushButton>("Close the account of the chosen person");
+  QTest::mouseClick(close, Qt::LeftButton);
+  QTest::keyClicks(named<QLineEdit>("Reason for entering the person"), QStringLiteral("left the mill"));
+  // The first press had no reason: the second alone may close.
+  QTest::mouseClick(close, Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return UserRegister(*archive).accounts()->at(static_cast<std::size_t>(ben)).disabled; }, 20000));
+  const auto trail = AuditTrail(*archive).entries();
+  ASSERT_TRUE(trail);
+  EXPECT_EQ(trail->front().reason, "left the mill");
+  EXPECT_EQ(trail->front().user, "Ana");
+  page->showGroup(SettingsPage::Group::Audit);
+  page->findChild<AuditPanel*>()->load();
+  auto* rows = named<QTableWidget>("Audit trail, newest first");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows->rowCount() == static_cast<int>(trail->size()); }, 20000));
+  EXPECT_EQ(rows->item(0, 4)->text(), QStringLiteral("left the mill"));
+}
+
+TEST_F(SettingsPageTest, TheAuditTrailIsNotTheOperators) {
+  page->showGroup(SettingsPage::Group::Audit);
+  EXPECT_FALSE(named<QTableWidget>("Audit trail, newest first")->isVisible());
+}
+
 TEST_F(SettingsPageTest, ThemeAndUnitChangeAtOnce) {
+  page->showGroup(SettingsPage::Group::Screen);
   auto* box = named<QComboBox>("Unit of lengths");
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Down);
