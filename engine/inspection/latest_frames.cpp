@@ -5,9 +5,10 @@
 
 namespace vignole {
 
-void LatestFrames::setWatched(bool watched) {
-  watched_.store(watched, std::memory_order_relaxed);
-  if (!watched) restart();
+void LatestFrames::addWatcher() { watchers_.fetch_add(1, std::memory_order_relaxed); }
+
+void LatestFrames::removeWatcher() {
+  if (watchers_.fetch_sub(1, std::memory_order_relaxed) == 1) restart();
 }
 
 void LatestFrames::restart() {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "engine/acquisition/frame.h"
 #include "engine/inspection/inspection.h"
@@ -28,9 +29,10 @@ class LatestFrames {
   static constexpr std::size_t kHeld = 8;
   using Held = std::shared_ptr<const ExtractedFrame>;
 
-  /// False lets go of everything that is held.
-  void setWatched(bool watched);
-  [[nodiscard]] bool watched() const { return watched_.load(std::memory_order_relaxed); }
+  /// Frames are held while anybody watches; the last to leave lets go of them all. See FramesWatcher.
+  void addWatcher();
+  void removeWatcher();
+  [[nodiscard]] bool watched() const { return watchers_.load(std::memory_order_relaxed) > 0; }
   void restart();  ///< before another source, whose triggers count from 0 again: what is held is let go
   /// Kept if somebody watches; frames of one camera come in order.
   void offer(const Frame& frame, const StripeResult& stripe, double extractMs);
@@ -48,8 +50,20 @@ class LatestFrames {
     std::array<Held, kHeld> ring;
     std::uint64_t offered = 0;
   };
-  std::atomic<bool> watched_ = false;
+  std::atomic<int> watchers_ = 0;
   std::array<Camera, kCameraCount> cameras_;
+};
+
+/// Watches as long as it lives.
+class FramesWatcher {
+ public:
+  explicit FramesWatcher(std::shared_ptr<LatestFrames> frames) : frames_(std::move(frames)) { frames_->addWatcher(); }
+  ~FramesWatcher() { frames_->removeWatcher(); }
+  FramesWatcher(const FramesWatcher&) = delete;
+  FramesWatcher& operator=(const FramesWatcher&) = delete;
+
+ private:
+  std::shared_ptr<LatestFrames> frames_;
 };
 
 /// `watch`, and what is extracted is offered to `frames` too.

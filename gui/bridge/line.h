@@ -62,15 +62,15 @@ struct LineSnapshot {
   double profilesPerS = 0, expectedPerS = 0;
   std::uint64_t recentIncomplete = 0;  ///< triggers not measured completely on this rail
   std::vector<StageStatistics> stages;
-  TriggerLedger triggers;                   ///< like `stages`, since the line was started or its settings changed
+  TriggerLedger triggers;                    ///< like `stages`, since the line was started or its settings changed
   std::optional<StripeSettings> nextStripe;  ///< waits for the next rail
 
   /// Values are no longer live: they are shown grey, with their age.
   [[nodiscard]] bool held() const { return latest && state != LineState::Measuring && ageS > 1.0; }
 };
 
-/// Makes the picture that a camera took at a trigger once more, as it was (0 ms) or with another exposure: bit by bit the
-/// same. Any thread; slow. Empty: there is none.
+/// Makes the picture that a camera took at a trigger once more, as it was (0 ms) or with another exposure: bit by bit
+/// the same. Any thread; slow. Empty: there is none.
 using PictureAgain = std::function<std::optional<Frame>(int camera, std::uint64_t trigger, double exposureMs)>;
 
 /// How much a pull brings up to date: the newest profile, or summaries and counters as well.

@@ -122,8 +122,8 @@ void VirtualLine::start() {
   i.watch.restart();
   i.stopAsked = false;
   ++i.starts;
-  i.inspection = std::make_unique<Inspection>(*i.gate, i.settings.recipe, i.rig->calibration(),
-                                              i.observer(i.settings.recipe));
+  i.inspection =
+      std::make_unique<Inspection>(*i.gate, i.settings.recipe, i.rig->calibration(), i.observer(i.settings.recipe));
   i.inspection->start();
 }
 
@@ -167,10 +167,10 @@ void VirtualLine::Impl::takeTurns() {
 }
 
 PictureAgain VirtualLine::pictureAgain() {
-  return [pictures = std::make_shared<PicturesOfRig>(impl_->rig)](int camera, std::uint64_t trigger,
-                                                                  double exposureMs) {
-    return pictures->picture(camera, trigger, exposureMs);
-  };
+  return
+      [pictures = std::make_shared<PicturesOfRig>(impl_->rig)](int camera, std::uint64_t trigger, double exposureMs) {
+        return pictures->picture(camera, trigger, exposureMs);
+      };
 }
 
 std::optional<double> VirtualLine::exposureMs() const { return impl_->rig->settings().exposureMs; }

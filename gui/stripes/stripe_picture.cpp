@@ -32,8 +32,7 @@ std::vector<QRectF> saturatedStretches(const StripeResult& stripe) {
     if ((p.flags & kSaturated) == 0) return;
     const QPointF at = position(p);
     const QRectF spot(at.x() - kMarkMarginPx, at.y() - kMarkMarginPx, 2 * kMarkMarginPx, 2 * kMarkMarginPx);
-    if (!stretches.empty() &&
-        stretches.back().adjusted(-kMarkGapPx, -kMarkGapPx, kMarkGapPx, kMarkGapPx).contains(at))
+    if (!stretches.empty() && stretches.back().adjusted(-kMarkGapPx, -kMarkGapPx, kMarkGapPx, kMarkGapPx).contains(at))
       stretches.back() = stretches.back().united(spot);
     else
       stretches.push_back(spot);

@@ -31,11 +31,11 @@ struct StripeTrial {
 struct StripePicture {
   int camera = 0;
   std::uint64_t trigger = 0;
-  LatestFrames::Held taken;          ///< the pixels, with the line that is measured with
-  QImage whole;                      ///< reduced to the view, brightest pixel of those that fall together
-  std::vector<QPolygonF> strokes;    ///< of the line, px of the picture (pixel centres at integers)
-  std::vector<QRectF> saturated;     ///< around the saturated stretches
-  std::vector<float> brightnessDn;   ///< along the line, a value for each of at most 400 stretches
+  LatestFrames::Held taken;         ///< the pixels, with the line that is measured with
+  QImage whole;                     ///< reduced to the view, brightest pixel of those that fall together
+  std::vector<QPolygonF> strokes;   ///< of the line, px of the picture (pixel centres at integers)
+  std::vector<QRectF> saturated;    ///< around the saturated stretches
+  std::vector<float> brightnessDn;  ///< along the line, a value for each of at most 400 stretches
   StripeFigures figures;
   std::optional<StripeTrial> trial;
   std::chrono::steady_clock::time_point at;  ///< when it came

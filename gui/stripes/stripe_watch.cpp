@@ -24,7 +24,6 @@ StripeWatch::StripeWatch(std::shared_ptr<LatestFrames> frames, const RigCalibrat
 StripeWatch::~StripeWatch() {
   thread_.request_stop();
   thread_.join();
-  frames_->setWatched(false);
 }
 
 void StripeWatch::order(const std::function<void(Orders&)>& change) {
@@ -37,7 +36,8 @@ void StripeWatch::order(const std::function<void(Orders&)>& change) {
 }
 
 void StripeWatch::setLooking(bool looking) {
-  frames_->setWatched(looking);
+  if (looking && !watcher_) watcher_.emplace(frames_);
+  if (!looking) watcher_.reset();
   order([&](Orders& o) { o.looking = looking; });
 }
 void StripeWatch::setFrozen(bool frozen) {

@@ -65,6 +65,7 @@ class StripeWatch {
                                                  double stepPx) const;
 
   const std::shared_ptr<LatestFrames> frames_;
+  std::optional<FramesWatcher> watcher_;
   std::array<StripeOptics, kCameraCount> optics_;
   std::array<LatestValue<StripePicture>, kCameraCount> pictures_;
   std::mutex mutex_;

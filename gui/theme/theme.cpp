@@ -85,6 +85,7 @@ QString Theme::styleSheet() const {
     QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border: 2px solid
         @accent; padding: 0 9px; }
     QLineEdit:disabled, QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: @t3; }
+    QDoubleSpinBox[changed="true"] { background: @accsoft; border-color: @accent; }
     QComboBox::drop-down { border: 0; width: 28px; }
     QComboBox QAbstractItemView { background: @panel2; color: @t1; selection-background-color: @accsoft;
         selection-color: @t1; border: 1px solid @line; outline: 0; }

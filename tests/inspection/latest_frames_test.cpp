@@ -34,7 +34,7 @@ TEST(LatestFramesOfThePipeline, NothingIsHeldWhileNobodyLooks) {
 
 TEST(LatestFramesOfThePipeline, TheLastFewAreHeldAndAllLetGoWhenNobodyLooksAnyMore) {
   LatestFrames frames;
-  frames.setWatched(true);
+  frames.addWatcher();
   std::vector<Frame> shown;
   for (std::uint64_t t = 0; t < 20; ++t) {
     shown.push_back(frame(2, t));
@@ -49,7 +49,7 @@ TEST(LatestFramesOfThePipeline, TheLastFewAreHeldAndAllLetGoWhenNobodyLooksAnyMo
     EXPECT_EQ(shown[t].lease.use_count(), held ? 2 : 1) << t;
   }
   const auto kept = frames.latest(2);
-  frames.setWatched(false);
+  frames.removeWatcher();
   EXPECT_EQ(frames.latest(2), nullptr);
   EXPECT_EQ(shown[15].lease.use_count(), 1);
   EXPECT_EQ(shown[19].lease.use_count(), 2) << "who has taken it keeps it";
@@ -58,7 +58,7 @@ TEST(LatestFramesOfThePipeline, TheLastFewAreHeldAndAllLetGoWhenNobodyLooksAnyMo
 
 TEST(LatestFramesOfThePipeline, FourPicturesOfOneTrigger) {
   LatestFrames frames;
-  frames.setWatched(true);
+  frames.addWatcher();
   for (std::uint64_t t = 0; t < 10; ++t)
     for (int c = 0; c < 4; ++c)
       if (t < 10 - static_cast<std::uint64_t>(c)) offer(frames, c, t);  // camera 4 is three behind
@@ -75,7 +75,7 @@ TEST(LatestFramesOfThePipeline, FourPicturesOfOneTrigger) {
 
 TEST(LatestFramesOfThePipeline, AfterARestartCountsFromZeroAreTheNewest) {
   LatestFrames frames;
-  frames.setWatched(true);
+  frames.addWatcher();
   for (int c = 0; c < 4; ++c) offer(frames, c, 5000);
   frames.restart();
   EXPECT_EQ(frames.together()[0], nullptr);
@@ -115,7 +115,7 @@ Watched run(bool tappedToo, const std::shared_ptr<LatestFrames>& frames, bool li
         EXPECT_EQ(mine->frame.image.data[8], c);
         EXPECT_EQ(mine->stripe.points.front().x, static_cast<float>(inPixels)) << "the line of another picture";
       }
-      frames->setWatched(seen % 64 != 63);  // comes and goes
+      if (seen % 64 == 63) frames->removeWatcher(), frames->addWatcher();  // comes and goes
     }
   });
   pipeline.start();
@@ -131,7 +131,7 @@ TEST(LatestFramesOfThePipeline, WhoLooksChangesNothing) {
     SCOPED_TRACE(live ? "live" : "held back");
     const auto frames = std::make_shared<LatestFrames>();
     const Watched alone = run(false, frames, live);
-    frames->setWatched(true);
+    frames->addWatcher();
     const Watched looked = run(true, frames, live);
     EXPECT_EQ(alone.told.events, looked.told.events);
     EXPECT_EQ(alone.told.values, looked.told.values);
