@@ -34,6 +34,7 @@ namespace vignole {
 namespace {
 
 constexpr double kLoopLimitMs = 50, kHotC = 85;
+constexpr int kSupportNotePx = 420;
 
 QIcon symbolIcon(StateSymbol symbol, const Palette& palette) {
   QPixmap pixmap(40, 40);
@@ -158,7 +159,9 @@ DiagnosticsPage::DiagnosticsPage(Workplace& place, const EventLoopWatchdog& watc
     progress_->setValue(done);
   });
   connect(bundle_, &SupportBundle::finished, this, [this](const QString& problem) {
-    supportNote_->setText(problem.isEmpty() ? tr("%1 is written.").arg(QDir(supportFolder_).dirName()) : problem);
+    supportSaid_ = problem.isEmpty() ? tr("%1 is written.").arg(QDir(supportFolder_).dirName()) : problem;
+    // Beside the button there is room for some words; the tip tells them all.
+    supportNote_->setText(supportNote_->fontMetrics().elidedText(supportSaid_, Qt::ElideMiddle, kSupportNotePx));
     supportNote_->setToolTip(problem.isEmpty() ? supportFolder_ : problem);
     showSupport();
   });
@@ -486,7 +489,7 @@ void DiagnosticsPage::showSupport() {
   support_->setAccessibleName(running ? tr("Cancel the support bundle") : tr("Save a support bundle"));
 }
 
-QString DiagnosticsPage::note() const { return supportNote_->text(); }
+QString DiagnosticsPage::note() const { return supportSaid_; }
 
 bool DiagnosticsPage::saveSupport(const QString& parent) {
   const auto kept = [](std::string text) {
@@ -515,6 +518,7 @@ bool DiagnosticsPage::saveSupport(const QString& parent) {
   const QString folder = QDir(parent).filePath(name);
   if (!bundle_->start(folder, std::move(files))) return false;
   supportFolder_ = folder;
+  supportSaid_.clear();
   supportNote_->clear();
   showSupport();
   return true;

@@ -71,7 +71,7 @@ class DiagnosticsPage : public Page {
   std::array<double, kCameraCount> framesPerS_{};
   double framesSince_ = 0, cpuShare_ = 0, windowShare_ = 0, picturesPerS_ = 0;
   int pictures_ = 0;  ///< display ticks since `before_`
-  QString supportFolder_;
+  QString supportFolder_, supportSaid_;
 };
 
 }  // namespace vignole

@@ -16,7 +16,7 @@ class PixelView : public QWidget {
   /// `centre`: px of the picture; null: nothing to show, `instead` says why.
   void show(LatestFrames::Held taken, QPointF centre, const QString& instead);
   [[nodiscard]] const LatestFrames::Held& taken() const { return taken_; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {120, 80}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {120, 44}; }
   [[nodiscard]] QSize sizeHint() const override { return {240, 160}; }
 
  protected:

@@ -22,6 +22,9 @@ namespace {
 /// Places of the cameras on the page as they stand: 1 and 2 above, 4 and 3 below.
 constexpr std::array<std::pair<int, int>, kCameraCount> kPlaces = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}};
 
+/// Lower pages have two parameters in a row.
+constexpr int kRoomyPx = 860;
+
 bool same(const StripeSettings& a, const StripeSettings& b) {
   return a.sigma == b.sigma && a.low == b.low && a.high == b.high && a.gapDistance == b.gapDistance &&
          a.gapAngle == b.gapAngle;
@@ -111,7 +114,7 @@ void StripesPage::hideEvent(QHideEvent* event) {
 
 void StripesPage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
-  const bool compact = height() < 760;
+  const bool compact = height() < kRoomyPx;
   trial_->setFixedWidth(compact ? 470 : width() < 1700 ? 520 : 560);
   trial_->setCompact(compact);
 }

@@ -33,6 +33,8 @@ class StripesPage : public Page {
   [[nodiscard]] TrialPanel& trial() { return *trial_; }
   /// In a worker's thread; what it says of the file comes into the panel's message.
   void savePicture(const QString& file);
+  /// As it is when it has made itself small.
+  [[nodiscard]] QSize minimumSizeHint() const override { return {1160, 600}; }
 
  protected:
   void showEvent(QShowEvent* event) override;

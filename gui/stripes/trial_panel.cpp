@@ -88,7 +88,7 @@ void TrialPanel::makeFields() {
     less_[i] = makeButton(theme_, QStringLiteral("minus"), this);
     more_[i] = makeButton(theme_, QStringLiteral("add"), this);
     for (QPushButton* button : {less_[i], more_[i]}) {
-      button->setFixedWidth(46);
+      button->setFixedWidth(52);
       button->setAutoRepeat(true);
     }
     connect(less_[i], &QPushButton::clicked, field, &QDoubleSpinBox::stepDown);
@@ -371,9 +371,9 @@ void TrialPanel::compare() {
   const auto row = [&](int at, double used, double tried, int decimals) {
     put(at, 1, decimals == 0 ? whole(used) : number(used, decimals));
     put(at, 2, trial == nullptr ? none : decimals == 0 ? whole(tried) : number(tried, decimals));
-    const QString sign = tried > used ? QStringLiteral("+") : QString();
-    put(at, 3,
-        trial != nullptr ? (sign + number(tried - used, decimals)).replace(QLatin1Char('-'), QChar(0x2212)) : none);
+    QString difference = (tried > used ? QStringLiteral("+") : QString()) + number(tried - used, decimals);
+    difference.replace(QLatin1Char('-'), QChar(0x2212));
+    put(at, 3, trial != nullptr ? difference : none);
   };
   const StripeFigures& used = picture->figures;
   const StripeFigures tried = trial != nullptr ? trial->figures : StripeFigures{};

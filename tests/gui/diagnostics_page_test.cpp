@@ -217,8 +217,9 @@ TEST_F(DiagnosticsPageTest, NothingIsClippedInAnySizeAndEveryControlHasAName) {
       EXPECT_GE(w->width(), w->minimumSizeHint().width()) << who;
       EXPECT_GE(w->height(), w->minimumSizeHint().height()) << who;
       EXPECT_TRUE(w->parentWidget()->rect().contains(w->geometry())) << who;
-      if (qobject_cast<const QPushButton*>(w) || qobject_cast<const QTableWidget*>(w))
+      if (qobject_cast<const QPushButton*>(w) || qobject_cast<const QTableWidget*>(w)) {
         EXPECT_FALSE(w->accessibleName().isEmpty()) << who;
+      }
     }
   }
 }
