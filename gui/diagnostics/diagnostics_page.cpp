@@ -35,6 +35,7 @@ namespace {
 
 constexpr double kLoopLimitMs = 50, kHotC = 85;
 constexpr int kSupportNotePx = 420;
+constexpr int kRoomyPx = 760, kLowPanelPx = 246, kLowRowPx = 27;
 
 QIcon symbolIcon(StateSymbol symbol, const Palette& palette) {
   QPixmap pixmap(40, 40);
@@ -170,11 +171,13 @@ DiagnosticsPage::DiagnosticsPage(Workplace& place, const EventLoopWatchdog& watc
   ledgerPanel_->content()->addWidget(ledger_);
   cameras_ = makeTable(5, cameraPanel_);
   cameras_->setRowCount(kCameraCount);
+  cameras_->horizontalHeader()->setMinimumSectionSize(48);
   cameraPanel_->content()->addWidget(cameras_, 1);
   cameraNote_ = makeLabel(15, 400, "t2", cameraPanel_, true);
   cameraPanel_->content()->addWidget(cameraNote_);
   computer_ = makeTable(4, computerPanel_);
   computer_->horizontalHeader()->hide();
+  computer_->horizontalHeader()->setMinimumSectionSize(32);
   computer_->verticalHeader()->setDefaultSectionSize(36);
   computer_->setItemDelegateForColumn(2, new ShareDelegate(place.theme, computer_));
   computerPanel_->content()->addWidget(computer_);
@@ -220,6 +223,24 @@ void DiagnosticsPage::showEvent(QShowEvent* event) {
 void DiagnosticsPage::hideEvent(QHideEvent* event) {
   Page::hideEvent(event);
   computerWatch_.setLooking(false);
+}
+
+void DiagnosticsPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // On low screens the picture keeps its height, the tables give.
+  const bool low = height() < kRoomyPx;
+  auto* grid = static_cast<QGridLayout*>(layout());
+  grid->setRowStretch(0, low ? 1 : 3);
+  grid->setRowStretch(1, low ? 0 : 2);
+  for (Panel* panel : {ledgerPanel_, cameraPanel_, computerPanel_}) {
+    panel->setMinimumHeight(low ? kLowPanelPx : 0);
+    panel->setMaximumHeight(low ? kLowPanelPx : QWIDGETSIZE_MAX);
+  }
+  for (QTableWidget* table : {ledger_, cameras_, computer_}) {
+    table->verticalHeader()->setMinimumSectionSize(kLowRowPx);
+    table->verticalHeader()->setDefaultSectionSize(low ? kLowRowPx : table == computer_ ? 36 : 40);
+    table->setFont(uiFont(low ? 14 : table == computer_ ? 15 : 16));
+  }
 }
 
 void DiagnosticsPage::showLine(const LineSnapshot& line, PullDetail detail) {
@@ -290,6 +311,8 @@ void DiagnosticsPage::showLedger(const LineSnapshot& line) {
                              {tr("Incomplete: measured by fewer cameras"), t.incomplete,
                               t.incomplete > 0 ? StateSymbol::Near : StateSymbol::Good},
                              {tr("Lost"), t.lost, t.lost > 0 ? StateSymbol::Out : StateSymbol::Good}};
+  for (const auto& [reason, n] : t.reasons)
+    rows.push_back({QStringLiteral("    ") + QString::fromStdString(reason), n, StateSymbol::Near});
   // Counted where frames come in, apart from the books: what has come in and is in no column yet is under way while the
   // line runs, and has been forgotten once it rests.
   std::uint64_t begun = t.seen;
@@ -302,8 +325,6 @@ void DiagnosticsPage::showLedger(const LineSnapshot& line) {
   if (!resting) rows.push_back({tr("Under way"), open, StateSymbol::NoLimit});
   const std::uint64_t forgotten = resting ? open : t.seen > known ? t.seen - known : 0;
   rows.push_back({tr("Not accounted for"), forgotten, forgotten > 0 ? StateSymbol::Out : StateSymbol::Good});
-  for (const auto& [reason, n] : t.reasons)
-    rows.push_back({QStringLiteral("    ") + QString::fromStdString(reason), n, StateSymbol::Near});
   if (ledger_->rowCount() != static_cast<int>(rows.size())) ledger_->setRowCount(static_cast<int>(rows.size()));
   for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
     const Entry& row = rows[static_cast<std::size_t>(i)];
@@ -343,8 +364,9 @@ void DiagnosticsPage::showCameras(const LineSnapshot& line) {
     mark(*cameras_, c, lost ? StateSymbol::NotMeasured : missing > 0 ? StateSymbol::Near : StateSymbol::Good, p);
   }
   if (due) framesSince_ = now;
-  cameras_->setColumnWidth(0, cameras_->viewport()->width() * 32 / 100);
-  for (int column = 1; column < 4; ++column) cameras_->setColumnWidth(column, cameras_->viewport()->width() * 17 / 100);
+  cameras_->setColumnWidth(0, cameras_->viewport()->width() * 30 / 100);
+  for (int column = 1; column < 4; ++column)
+    cameras_->setColumnWidth(column, cameras_->viewport()->width() * (column == 1 ? 19 : 16) / 100);
   cameraNote_->setText(line.simulation ? tr("Not available here, because these cameras are rendered: resends, "
                                             "incomplete frames, timeouts, temperature.")
                                        : QString());
@@ -373,7 +395,7 @@ void DiagnosticsPage::showComputer() {
                                   : StateSymbol::Good,
                     full});
   } else {
-    rows.push_back({tr("Disk"), QStringLiteral("–"), tr("the system does not tell"), StateSymbol::NoLimit});
+    rows.push_back({tr("Disk"), QStringLiteral("–"), tr("not told"), StateSymbol::NoLimit});
   }
   if (place_.writer != nullptr) {
     const RailWriterStatus status = place_.writer->status();
@@ -390,8 +412,8 @@ void DiagnosticsPage::showComputer() {
     rows.push_back({tr("Archive"), tr("open, nothing is written"), QString::fromStdString(place_.archive->url()),
                     StateSymbol::Near});
   } else {
-    rows.push_back({tr("Archive"), tr("none: rails are not kept"), QString::fromStdString(place_.archiveProblem),
-                    StateSymbol::Near});
+    rows.push_back(
+        {tr("Archive"), tr("rails are not kept"), QString::fromStdString(place_.archiveProblem), StateSymbol::Near});
   }
   const int cores = QThread::idealThreadCount();
   rows.push_back({tr("Processor"), tr("%1 % of one core").arg(qRound(100 * cpuShare_)),
@@ -402,18 +424,17 @@ void DiagnosticsPage::showComputer() {
                   computer.memoryMb > 0 ? tr("of %1 GB").arg(number(computer.memoryMb / 1024, 1)) : QString(),
                   StateSymbol::Good, computer.memoryMb > 0 ? std::optional(rssMb / computer.memoryMb) : std::nullopt});
   const double p99 = watchdog_.quantileMs(0.99);
-  rows.push_back(
-      {tr("Window"), tr("turn p99 %1 ms").arg(number(p99, 1)),
-       tr("p50 %1, max %2, limit 50").arg(number(watchdog_.quantileMs(0.5), 1), number(watchdog_.maxMs(), 0)),
-       p99 > kLoopLimitMs ? StateSymbol::Near : StateSymbol::Good, p99 / kLoopLimitMs});
-  rows.push_back({tr("Screen"), tr("%1 % of one core").arg(qRound(100 * windowShare_)), tr("the window's thread"),
-                  StateSymbol::Good, windowShare_});
+  rows.push_back({tr("Window"), tr("p99 %1 ms").arg(number(p99, 1)),
+                  tr("p50 %1, max %2").arg(number(watchdog_.quantileMs(0.5), 1), number(watchdog_.maxMs(), 0)),
+                  p99 > kLoopLimitMs ? StateSymbol::Near : StateSymbol::Good, p99 / kLoopLimitMs});
+  rows.push_back({tr("Screen"), tr("%1 % of one core").arg(qRound(100 * windowShare_)), tr("window"), StateSymbol::Good,
+                  windowShare_});
   if (computer.temperatureC)
     rows.push_back(
         {tr("Temperature"), tr("%1 °C").arg(number(*computer.temperatureC, 1)), QString::fromStdString(computer.sensor),
          *computer.temperatureC > kHotC ? StateSymbol::Near : StateSymbol::Good, *computer.temperatureC / 100});
   else
-    rows.push_back({tr("Temperature"), QStringLiteral("–"), tr("this computer tells none"), StateSymbol::NoLimit});
+    rows.push_back({tr("Temperature"), QStringLiteral("–"), tr("not told"), StateSymbol::NoLimit});
   if (computer_->rowCount() != static_cast<int>(rows.size())) computer_->setRowCount(static_cast<int>(rows.size()));
   for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
     const Entry& row = rows[static_cast<std::size_t>(i)];
@@ -427,9 +448,9 @@ void DiagnosticsPage::showComputer() {
     mark(*computer_, i, row.symbol, p);
   }
   const int width = computer_->viewport()->width();
-  computer_->setColumnWidth(0, width * 25 / 100);
-  computer_->setColumnWidth(1, width * 32 / 100);
-  computer_->setColumnWidth(2, width * 13 / 100);
+  computer_->setColumnWidth(0, width * 31 / 100);
+  computer_->setColumnWidth(1, width * 31 / 100);
+  computer_->setColumnWidth(2, width * 11 / 100);
 }
 
 QByteArray DiagnosticsPage::supportText() const {

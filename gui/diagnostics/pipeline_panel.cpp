@@ -80,7 +80,7 @@ void PipelinePanel::paintStage(QPainter& painter, const QRectF& box, const std::
   const StageStatistics* s = stage(name);
   paintBox(painter, box, behind(name), false);
   const bool small = box.height() < 56;
-  const double left = box.left() + 10, y = box.center().y() - (small ? 1 : 4);
+  const double left = box.left() + 10, y = box.center().y() - (small ? 3 : 4);
   if (!s || s->count == 0) {
     text(painter, left, box.center().y() + 5, uiFont(16), p.t3, tr("no data"));
     return;
@@ -90,7 +90,7 @@ void PipelinePanel::paintStage(QPainter& painter, const QRectF& box, const std::
   text(painter, left, y, figure, p.t1, mean);
   text(painter, left + QFontMetricsF(figure).horizontalAdvance(mean) + 4, y, uiFont(14), p.t2, tr("ms"));
   const QFont note = uiFont(14);
-  text(painter, left, y + 20, note, p.t2,
+  text(painter, left, y + (small ? 18 : 20), note, p.t2,
        QFontMetricsF(note).elidedText(tr("SD %1   UCL %2").arg(milliseconds(s->sdMs), milliseconds(s->ucl99Ms)),
                                       Qt::ElideRight, box.width() - 14));
 }
@@ -167,7 +167,7 @@ void PipelinePanel::paintStages(QPainter& painter, const QRectF& area) const {
     text(painter, x[static_cast<std::size_t>(column)], area.top() + 14, heads, p.t1,
          QFontMetricsF(heads).elidedText(columns[column], Qt::ElideRight, box + gap - 6));
 
-  const double top = area.top() + 26, pitch = (area.bottom() - top) / kCameraCount, height = std::min(pitch - 26, 66.0);
+  const double top = area.top() + 26, pitch = (area.bottom() - top) / kCameraCount, height = std::min(pitch - 10, 66.0);
   const double joinX = x[2] + box + bend, middleY = top + 1.5 * pitch;
   const auto line = [&](double fromX, double fromY, double toX, double toY) {
     painter.setPen(QPen(p.t3, 1.5));
@@ -185,7 +185,7 @@ void PipelinePanel::paintStages(QPainter& painter, const QRectF& area) const {
     line(x[2] + box, y + height / 2, joinX, y + height / 2);
   }
   line(joinX, top + height / 2, joinX, top + 3 * pitch + height / 2);
-  const double centre = middleY + height / 2, tall = std::min(2 * pitch, 170.0);
+  const double centre = middleY + height / 2, tall = std::min(2.8 * pitch, 170.0);
   paintQueue(painter, QRectF(joinX, middleY, x[3] - joinX, height), "profile");
   paintTallStage(painter, QRectF(x[3], centre - tall / 2, box, tall), "profile", profileNotes_);
   paintQueue(painter, QRectF(x[3] + box, middleY, gap, height), "measure");

@@ -79,10 +79,6 @@ QPolygonF StripeWatch::field(int camera) const {
   return polygon;
 }
 
-std::shared_ptr<const StripePicture> StripeWatch::take(int camera) {
-  return pictures_[static_cast<std::size_t>(camera)].takeNew();
-}
-
 LatestFrames::Held StripeWatch::extracted(int camera, Frame frame, const StripeSettings& settings) const {
   auto taken = std::make_shared<ExtractedFrame>();
   taken->frame = std::move(frame);
@@ -128,6 +124,7 @@ std::optional<StripeTrial> StripeWatch::tried(const Orders& orders, const Latest
 
 void StripeWatch::run(const std::stop_token& stop) {
   PerCamera held;
+  Pictures pictures;
   std::optional<std::uint64_t> shown;  // of showTrigger
   while (!stop.stop_requested()) {
     Orders orders;
@@ -155,21 +152,21 @@ void StripeWatch::run(const std::stop_token& stop) {
         }
     }
     shown = orders.trigger;
+    bool any = false;
     for (std::size_t c = 0; c < held.size(); ++c) {
-      if (!fresh[c] && !changed) continue;
-      if (!held[c]) {
-        if (fresh[c]) {
-          StripePicture none;
-          none.camera = static_cast<int>(c);
-          none.trigger = orders.trigger.value_or(0);
-          pictures_[c].publish(std::move(none));
-        }
-        continue;
+      if (!fresh[c] && !(changed && held[c])) continue;
+      auto picture = std::make_shared<StripePicture>();
+      if (held[c]) {
+        *picture = stripePicture(held[c], orders.sizes[c]);
+        picture->trial = tried(orders, held[c], 2);
+      } else {
+        picture->camera = static_cast<int>(c);
+        picture->trigger = orders.trigger.value_or(0);
       }
-      StripePicture picture = stripePicture(held[c], orders.sizes[c]);
-      picture.trial = tried(orders, held[c], 2);
-      pictures_[c].publish(std::move(picture));
+      pictures[c] = std::move(picture);
+      any = true;
     }
+    if (any) pictures_.publish(pictures);
   }
 }
 

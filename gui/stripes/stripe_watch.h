@@ -44,8 +44,10 @@ class StripeWatch {
   void setViewSize(int camera, const QSize& pixels);
   /// Where the light plane can be seen, px.
   [[nodiscard]] QPolygonF field(int camera) const;
-  /// The newest picture of a camera if it has not been taken before, else null. Without pixels: there is none.
-  [[nodiscard]] std::shared_ptr<const StripePicture> take(int camera);
+  /// Of each camera its newest picture, all from one look at the cameras; null if nothing has changed since it was
+  /// taken. A camera's is null before its first, and without pixels where there is none of the trigger asked for.
+  using Pictures = std::array<std::shared_ptr<const StripePicture>, kCameraCount>;
+  [[nodiscard]] std::shared_ptr<const Pictures> takeNew() { return pictures_.takeNew(); }
 
  private:
   using PerCamera = std::array<LatestFrames::Held, kCameraCount>;
@@ -67,7 +69,7 @@ class StripeWatch {
   const std::shared_ptr<LatestFrames> frames_;
   std::optional<FramesWatcher> watcher_;
   std::array<StripeOptics, kCameraCount> optics_;
-  std::array<LatestValue<StripePicture>, kCameraCount> pictures_;
+  LatestValue<Pictures> pictures_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   Orders orders_;

@@ -128,10 +128,12 @@ void StripesPage::watch(const LineSnapshot& line) {
       for (int c = 0; c < kCameraCount; ++c) view(c).setField(watch_->field(c));
     }
   if (!watch_) return;
-  for (int c = 0; c < kCameraCount; ++c) {
-    watch_->setViewSize(c, view(c).pictureSize());
-    if (auto picture = watch_->take(c)) view(c).show(std::move(picture));
-  }
+  for (int c = 0; c < kCameraCount; ++c) watch_->setViewSize(c, view(c).pictureSize());
+  if (const auto pictures = watch_->takeNew())
+    for (int c = 0; c < kCameraCount; ++c) {
+      const auto& picture = (*pictures)[static_cast<std::size_t>(c)];
+      if (picture && picture != view(c).picture()) view(c).show(picture);
+    }
   trial_->showPicture(view(chosen_).picture());
 }
 

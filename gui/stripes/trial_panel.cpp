@@ -214,8 +214,9 @@ void TrialPanel::retranslate() {
   for (int column = 1; column < 4; ++column)
     comparison_->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   comparison_->setAccessibleName(tr("In use against on trial"));
-  const QStringList rows = {tr("Points"),          tr("Gained, lost"),         tr("Saturated points"),
-                            tr("Uncertainty, px"), tr("Shift, largest in px"), tr("Time, ms")};
+  const QStringList rows = {
+      tr("Points"),  tr("Gained, lost"), tr("Saturated points"), tr("Uncertainty, px"), tr("Shift: mean, largest, px"),
+      tr("Time, ms")};
   for (int row = 0; row < kRows; ++row) comparison_->item(row, 0)->setText(rows[row]);
   const auto name = [this](QPushButton* button, const QString& word, const QString& spoken, bool iconAlone) {
     button->setText(iconAlone ? QString() : word);
