@@ -172,6 +172,8 @@ DiagnosticsPage::DiagnosticsPage(Workplace& place, const EventLoopWatchdog& watc
   cameras_ = makeTable(5, cameraPanel_);
   cameras_->setRowCount(kCameraCount);
   cameras_->horizontalHeader()->setMinimumSectionSize(48);
+  cameras_->horizontalHeader()->setStretchLastSection(false);
+  cameras_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   cameraPanel_->content()->addWidget(cameras_, 1);
   cameraNote_ = makeLabel(15, 400, "t2", cameraPanel_, true);
   cameraPanel_->content()->addWidget(cameraNote_);
@@ -364,9 +366,9 @@ void DiagnosticsPage::showCameras(const LineSnapshot& line) {
     mark(*cameras_, c, lost ? StateSymbol::NotMeasured : missing > 0 ? StateSymbol::Near : StateSymbol::Good, p);
   }
   if (due) framesSince_ = now;
-  cameras_->setColumnWidth(0, cameras_->viewport()->width() * 30 / 100);
-  for (int column = 1; column < 4; ++column)
-    cameras_->setColumnWidth(column, cameras_->viewport()->width() * (column == 1 ? 19 : 16) / 100);
+  constexpr std::array<int, 5> kWidths = {0, 19, 14, 15, 19};  // percent; the names take what is left
+  for (int column = 1; column < 5; ++column)
+    cameras_->setColumnWidth(column, cameras_->viewport()->width() * kWidths[static_cast<std::size_t>(column)] / 100);
   cameraNote_->setText(line.simulation ? tr("Not available here, because these cameras are rendered: resends, "
                                             "incomplete frames, timeouts, temperature.")
                                        : QString());
@@ -386,8 +388,8 @@ void DiagnosticsPage::showComputer() {
   if (computer.diskBytes > 0) {
     const double full = 1 - static_cast<double>(computer.diskFreeBytes) / static_cast<double>(computer.diskBytes);
     rows.push_back({tr("Disk"),
-                    tr("%1 of %2 GB free")
-                        .arg(gigabytes(static_cast<double>(computer.diskFreeBytes)),
+                    tr("%1 of %2 GB")
+                        .arg(gigabytes(static_cast<double>(computer.diskBytes - computer.diskFreeBytes)),
                              gigabytes(static_cast<double>(computer.diskBytes))),
                     full > 0.95 ? tr("make room: nearly full") : QString::fromStdString(computer.disk),
                     full > 0.98   ? StateSymbol::Out
@@ -449,7 +451,7 @@ void DiagnosticsPage::showComputer() {
   }
   const int width = computer_->viewport()->width();
   computer_->setColumnWidth(0, width * 31 / 100);
-  computer_->setColumnWidth(1, width * 31 / 100);
+  computer_->setColumnWidth(1, width * 33 / 100);
   computer_->setColumnWidth(2, width * 11 / 100);
 }
 

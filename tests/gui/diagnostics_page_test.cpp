@@ -92,7 +92,7 @@ TEST_F(DiagnosticsPageTest, WhatTheComputerDoesNotTellIsSaid) {
   open();
   EXPECT_TRUE(QTest::qWaitFor([&] {
     tick();
-    return beside(page->computer(), "Disk").contains(QStringLiteral("GB free"));
+    return beside(page->computer(), "Disk").contains(QStringLiteral(" GB"));
   }));
   EXPECT_EQ(beside(page->computer(), "Archive"), QStringLiteral("rails are not kept"));
   EXPECT_FALSE(beside(page->computer(), "Temperature", 3).isEmpty());
