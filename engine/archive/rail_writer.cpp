@@ -302,6 +302,7 @@ RailWriterStatus RailWriter::status() const {
   const std::scoped_lock held(impl_->mutex);
   RailWriterStatus status = impl_->status;
   status.queued = impl_->queuedProfiles;
+  status.queueCapacity = impl_->settings.queueWithoutPoints;
   return status;
 }
 

@@ -38,6 +38,7 @@ struct MeasuringSetup {
 
 struct RailWriterStatus {
   std::size_t queued = 0, queueHighWater = 0;  ///< profiles
+  std::size_t queueCapacity = 0;               ///< beyond, profiles are lost
   std::uint64_t railsStored = 0, profilesStored = 0;
   std::uint64_t pointsDropped = 0;  ///< profiles that lost their points
   std::uint64_t profilesLost = 0;

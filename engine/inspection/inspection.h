@@ -16,6 +16,7 @@
 #include "engine/profile/profile.h"
 #include "engine/recipe/recipe.h"
 #include "engine/registration/registration.h"
+#include "engine/stripe/stripe.h"
 
 namespace vignole {
 
@@ -59,6 +60,9 @@ struct InspectionObserver {
   std::function<void(const ProfileResult&)> profileMeasured;
   std::function<void(const RailBegin&, const TriggerLedger& ofThisRail)> railEnded;
   std::function<void(const std::string& error)> ended;  ///< after the last; error empty if all went well
+  /// Not by the last stage: by each camera's extraction, up to four threads at once, for every frame. What is to be kept
+  /// of it is copied; the frame's lease keeps its pixels. Empty: costs nothing.
+  std::function<void(const Frame&, const StripeResult&, double extractMs)> frameExtracted = {};
 };
 
 /// What an inspection tells the extraction of a camera (0..3): who extracts with it again gets the same lines.

@@ -168,13 +168,16 @@ void Pipeline::Impl::extract(int camera) {
       const StopWatch watch;
       StripePtr stripe = stripes.take();
       stripe->trigger = frame->trigger;
-      if (done([&] { work.extract(camera, frame->image, stripe->stripe); })) {
+      const bool extracted = done([&] { work.extract(camera, frame->image, stripe->stripe); });
+      const double ms = watch.ms();
+      if (extracted && observer.frameExtracted) done([&] { observer.frameExtracted(*frame, stripe->stripe, ms); });
+      if (extracted) {
         out = std::move(stripe);
       } else {
         out = FrameLost{camera, frame->trigger, "extraction failed"};
       }
       message = SourceEnd{};  // gives the buffer back before the next stage is waited for
-      extractMeter[c].add(watch.ms());
+      extractMeter[c].add(ms);
     } else {
       out = std::visit(PassOn<StripeMessage>{}, message);
     }

@@ -3,6 +3,8 @@
 // thread; what comes from the engine's threads has passed a mailbox or a lock before.
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,9 +12,9 @@
 
 #include "engine/acquisition/rail_announcement.h"
 #include "engine/inspection/inspection.h"
+#include "engine/inspection/latest_frames.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
-#include "gui/bridge/frame_tap.h"
 
 namespace vignole {
 
@@ -60,11 +62,16 @@ struct LineSnapshot {
   double profilesPerS = 0, expectedPerS = 0;
   std::uint64_t recentIncomplete = 0;  ///< triggers not measured completely on this rail
   std::vector<StageStatistics> stages;
-  TriggerLedger triggers;
+  TriggerLedger triggers;                    ///< like `stages`, since the line was started or its settings changed
+  std::optional<StripeSettings> nextStripe;  ///< waits for the next rail
 
   /// Values are no longer live: they are shown grey, with their age.
   [[nodiscard]] bool held() const { return latest && state != LineState::Measuring && ageS > 1.0; }
 };
+
+/// Makes the picture that a camera took at a trigger once more, as it was (0 ms) or with another exposure: bit by bit
+/// the same. Any thread; slow. Empty: there is none.
+using PictureAgain = std::function<std::optional<Frame>(int camera, std::uint64_t trigger, double exposureMs)>;
 
 /// How much a pull brings up to date: the newest profile, or summaries and counters as well.
 enum class PullDetail { Profile, Everything };
@@ -77,11 +84,16 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
-  /// The cameras' latest frames; null: this line hands out none.
+  /// The cameras' latest frames with their lines; null: this line hands out none.
   [[nodiscard]] virtual std::shared_ptr<LatestFrames> frames() { return nullptr; }
+  /// Of the rails since the last start; empty: what was not kept is gone.
+  [[nodiscard]] virtual PictureAgain pictureAgain() { return {}; }
+  [[nodiscard]] virtual std::optional<double> exposureMs() const { return {}; }  ///< empty: not told
+  /// From the next start on. Only where pictures can be made again.
+  virtual void useExposure(double /*exposureMs*/) {}
   /// In force.
   [[nodiscard]] virtual RigCalibration calibration() { return {}; }
-  /// From the next start on; the running rail keeps what it began with. Settings are checked().
+  /// From the next rail on; the running rail keeps what it began with. Settings are checked().
   virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
   /// Where the papers of the next rail are handed in; null: the line takes none.
   [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }

@@ -30,6 +30,9 @@ class VirtualLine : public Line {
   [[nodiscard]] bool running() const override;
   [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
   [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
+  [[nodiscard]] PictureAgain pictureAgain() override;
+  [[nodiscard]] std::optional<double> exposureMs() const override;
+  void useExposure(double exposureMs) override;
   [[nodiscard]] RigCalibration calibration() override;
   void useStripeSettings(const StripeSettings& settings) override;
   [[nodiscard]] RailAnnouncements* announcements() override;

@@ -1,114 +1,172 @@
 #include "gui/stripes/stripe_watch.h"
 
 #include <chrono>
+#include <utility>
 
-#include "engine/inspection/inspection.h"
 #include "engine/stripe/stripe_extractor.h"
 
 namespace vignole {
 
 namespace {
-
 using namespace std::chrono_literals;
-constexpr auto kEvery = 66ms;  // fifteen pictures a second of each camera
-
-ExtractedLine extracted(StripeExtractor& extractor, const ImageView& image) {
-  ExtractedLine line;
-  const auto begin = std::chrono::steady_clock::now();
-  extractor.extract(image, line.stripe);
-  line.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  return line;
-}
-
-QImage copied(const ImageView& view) {
-  QImage image(view.width, view.height, QImage::Format_Grayscale8);
-  for (int row = 0; row < view.height; ++row) std::copy_n(view.row(row), view.width, image.scanLine(row));
-  return image;
-}
-
+constexpr auto kEvery = 40ms;  // 25 pictures a second of each camera
 }  // namespace
 
-StripeWatch::StripeWatch(std::shared_ptr<LatestFrames> frames, RigCalibration calibration, Section section,
-                         StripeSettings inUse)
-    : frames_(std::move(frames)),
-      calibration_(std::move(calibration)),
-      section_(std::move(section)),
-      inUse_(inUse),
-      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+StripeWatch::StripeWatch(std::shared_ptr<LatestFrames> frames, const RigCalibration& calibration,
+                         const Section& section, const StripeSettings& inUse)
+    : frames_(std::move(frames)) {
+  for (int c = 0; c < kCameraCount; ++c)
+    optics_[static_cast<std::size_t>(c)] = extractionOptics(calibration, section, c);
+  orders_.inUse = inUse;
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
 
 StripeWatch::~StripeWatch() {
-  frames_->watched = false;
   thread_.request_stop();
-  wake_.notify_all();
   thread_.join();
 }
 
-void StripeWatch::setInUse(const StripeSettings& settings) {
-  const std::lock_guard lock(mutex_);
-  inUse_ = settings;
-  changed_ = true;
-}
-void StripeWatch::setTrial(const std::optional<StripeSettings>& settings) {
-  const std::lock_guard lock(mutex_);
-  trial_ = settings;
-  changed_ = true;
-}
-void StripeWatch::setFrozen(bool frozen) {
-  const std::lock_guard lock(mutex_);
-  frozen_ = frozen;
-}
-void StripeWatch::setLooking(bool looking) {
-  frames_->watched = looking;
-  const std::lock_guard lock(mutex_);
-  looking_ = looking;
+void StripeWatch::order(const std::function<void(Orders&)>& change) {
+  {
+    const std::lock_guard lock(mutex_);
+    change(orders_);
+    changed_ = true;
+  }
+  wake_.notify_one();
 }
 
-std::shared_ptr<const StripePicture> StripeWatch::take(int camera) {
-  return pictures_[static_cast<std::size_t>(camera)].takeNew();
+void StripeWatch::setLooking(bool looking) {
+  if (looking && !watcher_) watcher_.emplace(frames_);
+  if (!looking) watcher_.reset();
+  order([&](Orders& o) { o.looking = looking; });
+}
+void StripeWatch::setFrozen(bool frozen) {
+  order([&](Orders& o) {
+    o.frozen = frozen;
+    o.trigger.reset();
+  });
+}
+void StripeWatch::showTrigger(std::uint64_t trigger, PictureAgain again) {
+  order([&](Orders& o) {
+    o.frozen = true;
+    o.trigger = trigger;
+    o.again = std::move(again);
+  });
+}
+void StripeWatch::setInUse(const StripeSettings& settings) {
+  order([&](Orders& o) { o.inUse = settings; });
+}
+void StripeWatch::setTrial(const std::optional<TrialSettings>& settings, PictureAgain again) {
+  order([&](Orders& o) {
+    o.trial = settings;
+    if (again) o.again = std::move(again);
+  });
+}
+
+void StripeWatch::setViewSize(int camera, const QSize& pixels) {
+  const auto c = static_cast<std::size_t>(camera);
+  {
+    const std::lock_guard lock(mutex_);
+    if (orders_.sizes[c] == pixels) return;
+  }
+  order([&](Orders& o) { o.sizes[c] = pixels; });
+}
+
+QPolygonF StripeWatch::field(int camera) const {
+  QPolygonF polygon;
+  for (const PixelPosition& p : optics_[static_cast<std::size_t>(camera)].field)
+    polygon << QPointF(static_cast<double>(p.x), static_cast<double>(p.y));
+  return polygon;
+}
+
+LatestFrames::Held StripeWatch::extracted(int camera, Frame frame, const StripeSettings& settings) const {
+  auto taken = std::make_shared<ExtractedFrame>();
+  taken->frame = std::move(frame);
+  taken->frame.camera = camera;
+  StripeExtractor extractor(settings, optics_[static_cast<std::size_t>(camera)]);
+  // Once to make its buffers: the time of a frame is told as the engine has it.
+  extractor.extract(taken->frame.image, taken->stripe);
+  const auto begin = std::chrono::steady_clock::now();
+  extractor.extract(taken->frame.image, taken->stripe);
+  taken->extractMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return taken;
+}
+
+StripeWatch::PerCamera StripeWatch::ofTrigger(const Orders& orders) const {
+  PerCamera found;
+  for (int c = 0; c < kCameraCount; ++c) {
+    auto& held = found[static_cast<std::size_t>(c)];
+    held = frames_->at(c, *orders.trigger);
+    if (held || !orders.again) continue;
+    if (auto frame = orders.again(c, *orders.trigger, 0)) held = extracted(c, *std::move(frame), orders.inUse);
+  }
+  return found;
+}
+
+std::optional<StripeTrial> StripeWatch::tried(const Orders& orders, const LatestFrames::Held& taken,
+                                              double stepPx) const {
+  if (!orders.trial) return {};
+  Frame frame = taken->frame;
+  const int camera = frame.camera;
+  if (orders.trial->exposureMs > 0) {
+    auto exposed =
+        orders.again ? orders.again(camera, frame.trigger, orders.trial->exposureMs) : std::optional<Frame>{};
+    if (!exposed) return {};
+    frame = *std::move(exposed);
+  }
+  StripeTrial trial;
+  trial.taken = extracted(camera, std::move(frame), orders.trial->stripe);
+  trial.figures = stripeFigures(trial.taken->stripe);
+  trial.difference = lineDifference(taken->stripe, trial.taken->stripe);
+  trial.strokes = strokesOf(trial.taken->stripe, stepPx);
+  return trial;
 }
 
 void StripeWatch::run(const std::stop_token& stop) {
-  std::array<std::shared_ptr<const Frame>, kCameraCount> held;
-  std::array<std::optional<StripeExtractor>, kCameraCount> inUse, trial;
-  bool first = true;
+  PerCamera held;
+  Pictures pictures;
+  std::optional<std::uint64_t> shown;  // of showTrigger
   while (!stop.stop_requested()) {
-    bool frozen = false, looking = false, changed = false;
-    StripeSettings settings;
-    std::optional<StripeSettings> tried;
+    Orders orders;
+    bool changed = false;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait_for(lock, stop, kEvery, [] { return false; });
-      frozen = frozen_;
-      looking = looking_;
-      changed = changed_ || first;
-      changed_ = false;
-      settings = inUse_;
-      tried = trial_;
+      if (orders_.looking)
+        wake_.wait_for(lock, stop, kEvery, [this] { return changed_; });
+      else
+        wake_.wait(lock, stop, [this] { return orders_.looking; });
+      orders = orders_;
+      changed = std::exchange(changed_, false);
     }
-    first = false;
-    if (stop.stop_requested() || !looking) continue;
-    for (int c = 0; c < kCameraCount; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      if (changed) {
-        const StripeOptics optics = extractionOptics(calibration_, section_, c);
-        inUse[i].emplace(settings, optics);
-        trial[i].reset();
-        if (tried) trial[i].emplace(*tried, optics);
+    if (stop.stop_requested()) return;
+    std::array<bool, kCameraCount> fresh{};
+    if (orders.trigger && orders.trigger != shown) {
+      held = ofTrigger(orders);
+      fresh.fill(true);
+    } else if (!orders.frozen) {
+      const PerCamera now = frames_->together();
+      for (std::size_t c = 0; c < now.size(); ++c)
+        if (now[c] && now[c] != held[c]) {
+          held[c] = now[c];
+          fresh[c] = true;
+        }
+    }
+    shown = orders.trigger;
+    bool any = false;
+    for (std::size_t c = 0; c < held.size(); ++c) {
+      if (!fresh[c] && !(changed && held[c])) continue;
+      auto picture = std::make_shared<StripePicture>();
+      if (held[c]) {
+        *picture = stripePicture(held[c], orders.sizes[c]);
+        picture->trial = tried(orders, held[c], 2);
+      } else {
+        picture->camera = static_cast<int>(c);
+        picture->trigger = orders.trigger.value_or(0);
       }
-      auto fresh = frozen ? nullptr : frames_->cameras[i].takeNew();
-      if (fresh)
-        held[i] = std::move(fresh);
-      else if (!changed)
-        continue;
-      if (!held[i]) continue;
-      StripePicture picture;
-      picture.camera = c;
-      picture.trigger = held[i]->trigger;
-      picture.image = copied(held[i]->image);
-      picture.inUse = extracted(*inUse[i], held[i]->image);
-      if (trial[i]) picture.trial = extracted(*trial[i], held[i]->image);
-      pictures_[i].publish(std::move(picture));
+      pictures[c] = std::move(picture);
+      any = true;
     }
+    if (any) pictures_.publish(pictures);
   }
 }
 

@@ -1,73 +1,33 @@
 #include "gui/stripes/stripes_page.h"
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
+#include <QLocale>
+#include <QResizeEvent>
+#include <QSaveFile>
 #include <QShortcut>
-#include <QTableWidget>
-#include <cmath>
 
 #include "engine/archive/audit_trail.h"
 #include "engine/stripe/stripe_extractor.h"
 #include "gui/bridge/archive_reader.h"
 #include "gui/stripes/stripe_view.h"
+#include "gui/stripes/trial_panel.h"
 #include "gui/theme/inscription.h"
-#include "gui/theme/panel.h"
 
 namespace vignole {
 
 namespace {
 
-struct Parameter {
-  double StripeSettings::*value;
-  double least, most, step;
-  int decimals;
-  const char* unit;
-};
-constexpr std::array<Parameter, 5> kParameters = {{{&StripeSettings::sigma, 1, 8, 0.1, 1, " px"},
-                                                   {&StripeSettings::low, 0.5, 255, 0.5, 1, " DN"},
-                                                   {&StripeSettings::high, 0.5, 255, 0.5, 1, " DN"},
-                                                   {&StripeSettings::gapDistance, 0, 500, 5, 0, " px"},
-                                                   {&StripeSettings::gapAngle, 0, 90, 1, 0, "°"}}};
-
 /// Places of the cameras on the page as they stand: 1 and 2 above, 4 and 3 below.
 constexpr std::array<std::pair<int, int>, kCameraCount> kPlaces = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}};
 
-double meanSigma(const StripeResult& stripe) {
-  double sum = 0;
-  for (const StripePoint& p : stripe.points) sum += static_cast<double>(p.sigmaPx);
-  return stripe.points.empty() ? 0 : sum / static_cast<double>(stripe.points.size());
-}
+/// Lower pages have two parameters in a row.
+constexpr int kRoomyPx = 860;
 
-/// Mean distance of the points of one line from the nearest of the other, as far as there is one within 3 px.
-double meanShift(const StripeResult& from, const StripeResult& to) {
-  double sum = 0, n = 0;
-  std::size_t near = 0;
-  for (const StripePoint& p : from.points) {
-    double best = 9;
-    // Both run along the same light: the nearest is looked for from where the last one was found.
-    const std::size_t begin = near > 60 ? near - 60 : 0, end = std::min(to.points.size(), near + 200);
-    for (std::size_t i = begin; i < end; ++i) {
-      const double dx = static_cast<double>(to.points[i].x - p.x), dy = static_cast<double>(to.points[i].y - p.y);
-      const double along = dx * static_cast<double>(p.nx) + dy * static_cast<double>(p.ny);
-      if (dx * dx + dy * dy < best) {
-        best = dx * dx + dy * dy;
-        near = i;
-        if (best < 1) {
-          sum += std::abs(along);
-          n += 1;
-          break;
-        }
-      }
-    }
-  }
-  return n > 0 ? sum / n : 0;
+bool same(const StripeSettings& a, const StripeSettings& b) {
+  return a.sigma == b.sigma && a.low == b.low && a.high == b.high && a.gapDistance == b.gapDistance &&
+         a.gapAngle == b.gapAngle;
 }
 
 }  // namespace
@@ -76,7 +36,6 @@ StripesPage::StripesPage(Workplace& place, QWidget* parent) : Page(parent), plac
   setObjectName(QStringLiteral("page"));
   setFocusPolicy(Qt::ClickFocus);
   if (place.archive != nullptr) archive_ = std::make_unique<ArchiveReader>(place.archiveUrl);
-  inUse_ = place.line.pull(PullDetail::Profile).recipe->stripe;
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(16, 16, 16, 16);
   grid->setSpacing(16);
@@ -85,75 +44,35 @@ StripesPage::StripesPage(Workplace& place, QWidget* parent) : Page(parent), plac
     view = new StripeView(place.theme, c, this);
     const auto [row, column] = kPlaces[static_cast<std::size_t>(c)];
     grid->addWidget(view, row, column);
+    grid->setRowStretch(row, 1);
+    grid->setColumnStretch(column, 1);
     connect(view, &StripeView::pressed, this, &StripesPage::choose);
   }
-  grid->addWidget(makeTrial(), 0, 2, 2, 1);
-  grid->setColumnStretch(0, 5);
-  grid->setColumnStretch(1, 5);
-  grid->setColumnStretch(2, 5);
+  trial_ = new TrialPanel(place.theme, this);
+  trial_->setFixedWidth(560);
+  trial_->setCompact(false);
+  grid->addWidget(trial_, 0, 2, 2, 1);
+  connect(trial_, &TrialPanel::trialChanged, this, &StripesPage::startTrial);
+  connect(trial_, &TrialPanel::applyAsked, this, &StripesPage::apply);
+  connect(trial_, &TrialPanel::discardAsked, this, &StripesPage::discard);
+  connect(trial_, &TrialPanel::freezeAsked, this, [this] { setFrozen(!frozen_); });
+  connect(trial_, &TrialPanel::profileAsked, this, [this] {
+    if (latest_) showBehind(*latest_);
+  });
+  connect(trial_, &TrialPanel::saveAsked, this, &StripesPage::save);
+  connect(trial_, &TrialPanel::cameraAsked, this, &StripesPage::choose);
+  connect(&place_.session, &Session::changed, this, &StripesPage::say);
   bindKeys();
-  retranslate();
+  inUse_ = place.line.pull(PullDetail::Profile).recipe->stripe;
+  exposureMs_ = place.line.exposureMs();
+  trial_->setInUse(inUse_, exposureMs_, place.line.pictureAgain() != nullptr);
   choose(0);
-  discard();
-  connect(&place_.session, &Session::changed, this, &StripesPage::showPermission);
+  say();
 }
 
 StripesPage::~StripesPage() {
   watch_.reset();
   archive_.reset();
-}
-
-QWidget* StripesPage::makeTrial() {
-  trial_ = new Panel(this);
-  auto* form = new QGridLayout;
-  form->setHorizontalSpacing(12);
-  form->setVerticalSpacing(6);
-  for (std::size_t i = 0; i < kParameters.size(); ++i) {
-    const int row = static_cast<int>(i);
-    words_[i] = makeLabel(16, 400, "t1", trial_);
-    used_[i] = makeLabel(17, 400, "t2", trial_);
-    fields_[i] = new QDoubleSpinBox(trial_);
-    fields_[i]->setFont(uiFont(17, 500));
-    fields_[i]->setRange(kParameters[i].least, kParameters[i].most);
-    fields_[i]->setSingleStep(kParameters[i].step);
-    fields_[i]->setDecimals(kParameters[i].decimals);
-    fields_[i]->setSuffix(QString::fromUtf8(kParameters[i].unit));
-    connect(fields_[i], &QDoubleSpinBox::valueChanged, this, &StripesPage::startTrial);
-    form->addWidget(words_[i], row, 0);
-    form->addWidget(used_[i], row, 1, Qt::AlignRight);
-    form->addWidget(fields_[i], row, 2);
-  }
-  form->setColumnStretch(0, 1);
-  comparison_ = new QTableWidget(5, 4, trial_);
-  styleTable(*comparison_);
-  comparison_->setSelectionMode(QAbstractItemView::NoSelection);
-  comparison_->verticalHeader()->setDefaultSectionSize(30);
-  comparison_->setMinimumHeight(120);
-  reason_ = new QLineEdit(trial_);
-  reason_->setFont(uiFont(16));
-  freeze_ = makeButton(place_.theme, QStringLiteral("freeze"), trial_);
-  freeze_->setCheckable(true);
-  save_ = makeButton(place_.theme, QStringLiteral("save"), trial_);
-  discard_ = makeButton(place_.theme, QStringLiteral("revert"), trial_);
-  apply_ = makeButton(place_.theme, QStringLiteral("approve"), trial_, true);
-  auto* upper = new QHBoxLayout;
-  upper->addWidget(freeze_, 1);
-  upper->addWidget(save_, 1);
-  auto* lower = new QHBoxLayout;
-  lower->addWidget(discard_, 1);
-  lower->addWidget(apply_, 1);
-  result_ = makeLabel(15, 400, "t2", trial_, true);
-  trial_->content()->addLayout(form);
-  trial_->content()->addWidget(comparison_, 1);
-  trial_->content()->addLayout(upper);
-  trial_->content()->addWidget(reason_);
-  trial_->content()->addLayout(lower);
-  trial_->content()->addWidget(result_);
-  connect(freeze_, &QPushButton::clicked, this, [this] { setFrozen(!frozen_); });
-  connect(save_, &QPushButton::clicked, this, &StripesPage::save);
-  connect(discard_, &QPushButton::clicked, this, &StripesPage::discard);
-  connect(apply_, &QPushButton::clicked, this, &StripesPage::apply);
-  return trial_;
 }
 
 void StripesPage::bindKeys() {
@@ -164,6 +83,9 @@ void StripesPage::bindKeys() {
   };
   for (int c = 0; c < kCameraCount; ++c) bind(QKeySequence(Qt::Key_1 + c), [this, c] { choose(c); });
   bind(Qt::Key_P, [this] { setFrozen(!frozen_); });
+  bind(Qt::Key_B, [this] {
+    if (latest_) showBehind(*latest_);
+  });
   bind(Qt::Key_Plus, [this] { view(chosen_).zoom(1.5); });
   bind(Qt::Key_Equal, [this] { view(chosen_).zoom(1.5); });
   bind(Qt::Key_Minus, [this] { view(chosen_).zoom(1 / 1.5); });
@@ -171,44 +93,9 @@ void StripesPage::bindKeys() {
   bind(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { save(); });
 }
 
-void StripesPage::retranslate() {
-  trial_->setTitle(tr("Line extraction"));
-  const QStringList words = {tr("Smoothing σ"), tr("Low threshold t_l"), tr("High threshold t_h"),
-                             tr("Link distance d"), tr("Link angle α")};
-  for (std::size_t i = 0; i < words_.size(); ++i) {
-    words_[i]->setText(QString(words[static_cast<int>(i)]).replace('_', ' '));
-    fields_[i]->setAccessibleName(tr("%1 on trial").arg(words_[i]->text()));
-  }
-  comparison_->setHorizontalHeaderLabels({QString(), tr("In use"), tr("On trial"), tr("Difference")});
-  comparison_->setAccessibleName(tr("In use against on trial"));
-  save_->setText(tr("Save picture…"));
-  save_->setAccessibleName(tr("Save the picture of the chosen camera"));
-  discard_->setText(tr("Discard"));
-  discard_->setAccessibleName(tr("Discard what is on trial"));
-  apply_->setText(tr("Use from next start"));
-  apply_->setAccessibleName(tr("Use what is on trial from the next start of the line"));
-  reason_->setPlaceholderText(tr("Reason"));
-  reason_->setAccessibleName(tr("Reason for the change"));
-  freeze_->setText(frozen_ ? tr("Live again") : tr("Freeze"));
-  freeze_->setAccessibleName(tr("Freeze the pictures"));
-  freeze_->setToolTip(tr("Freeze the pictures (P)"));
-  for (int c = 0; c < kCameraCount; ++c) view(c).setAccessibleName(tr("Camera %1").arg(c + 1));
-  trial_->setNote(tr("camera %1").arg(chosen_ + 1));
-  compare();
-  showPermission();
-}
-
-void StripesPage::showPermission() {
-  const bool may = place_.session.may(Permission::TuneLines);
-  apply_->setEnabled(may);
-  reason_->setVisible(may);
-  result_->setText(may ? tr("What is tried acts on these pictures alone until it is applied.")
-                       : tr("Anybody may try; a technician who has signed in applies."));
-}
-
 void StripesPage::changeEvent(QEvent* event) {
   Page::changeEvent(event);
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) say();
 }
 
 void StripesPage::showEvent(QShowEvent* event) {
@@ -218,179 +105,251 @@ void StripesPage::showEvent(QShowEvent* event) {
 
 void StripesPage::hideEvent(QHideEvent* event) {
   Page::hideEvent(event);
-  if (watch_) watch_->setLooking(false);
+  // Nobody looks: nothing is held, but what is frozen. The calibration may be another when somebody looks again.
+  if (frozen_ && watch_)
+    watch_->setLooking(false);
+  else
+    watch_.reset();
 }
 
-void StripesPage::showLine(const LineSnapshot& line, PullDetail detail) {
-  if (!watch_)
+void StripesPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  const bool compact = height() < kRoomyPx;
+  trial_->setFixedWidth(compact ? 470 : width() < 1700 ? 520 : 560);
+  trial_->setCompact(compact);
+}
+
+void StripesPage::watch(const LineSnapshot& line) {
+  if (!watch_ && isVisible())
     if (auto frames = place_.line.frames()) {
       watch_ = std::make_unique<StripeWatch>(std::move(frames), place_.line.calibration(), line.recipe->section,
                                              line.recipe->stripe);
-      watch_->setLooking(isVisible());
+      watch_->setLooking(true);
+      for (int c = 0; c < kCameraCount; ++c) view(c).setField(watch_->field(c));
     }
-  if (watch_)
-    for (int c = 0; c < kCameraCount; ++c)
-      if (auto picture = watch_->take(c)) view(c).show(std::move(picture), onTrialDiffers());
-  if (detail != PullDetail::Everything) return;
-  const StripeSettings& now = line.recipe->stripe;
-  for (const Parameter& p : kParameters)
-    if (now.*p.value != inUse_.*p.value) {
-      inUse_ = now;
-      if (watch_) watch_->setInUse(inUse_);
-      discard();
-      break;
+  if (!watch_) return;
+  for (int c = 0; c < kCameraCount; ++c) watch_->setViewSize(c, view(c).pictureSize());
+  if (const auto pictures = watch_->takeNew())
+    for (int c = 0; c < kCameraCount; ++c) {
+      const auto& picture = (*pictures)[static_cast<std::size_t>(c)];
+      if (picture && picture != view(c).picture()) view(c).show(picture);
     }
+  trial_->showPicture(view(chosen_).picture());
+}
+
+void StripesPage::followSettings(const LineSnapshot& line) {
+  const auto exposure = place_.line.exposureMs();
+  if (!same(line.recipe->stripe, inUse_) || exposure != exposureMs_) {
+    inUse_ = line.recipe->stripe;
+    exposureMs_ = exposure;
+    if (watch_) watch_->setInUse(inUse_);
+    trial_->setInUse(inUse_, exposureMs_, place_.line.pictureAgain() != nullptr);
+    discard();
+  }
+  if (line.nextStripe.has_value() != waiting_.has_value()) {
+    waiting_ = line.nextStripe;
+    say();
+  }
+}
+
+void StripesPage::showRates(const LineSnapshot& line) {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - framesAt_).count();
+  if (seconds < 1) return;
   for (int c = 0; c < kCameraCount; ++c) {
+    std::uint64_t& before = framesBefore_[static_cast<std::size_t>(c)];
+    for (const StageStatistics& stage : line.stages)
+      if (stage.name == "extract." + std::to_string(c + 1)) {
+        // The first time there is nothing to count from, nor after a restart.
+        const bool known = seconds < 5 && stage.count >= before;
+        view(c).setRate(known ? static_cast<double>(stage.count - before) / seconds : 0);
+        before = stage.count;
+      }
+  }
+  framesAt_ = now;
+}
+
+void StripesPage::showStates(const LineSnapshot& line) {
+  const auto now = std::chrono::steady_clock::now();
+  for (int c = 0; c < kCameraCount; ++c) {
+    const auto& picture = view(c).picture();
+    const bool pixels = picture && picture->taken;
     QString words;
     bool stale = false;
-    for (const LostCamera& lost : line.lostCameras)
-      if (lost.camera == c) {
-        words = tr("lost: %1").arg(QString::fromStdString(lost.reason));
+    if (!watch_) words = tr("This source hands out no pictures.");
+    if (frozen_) {
+      words = pixels ? tr("Frozen") : missing_[static_cast<std::size_t>(c)];
+    } else if (watch_) {
+      for (const LostCamera& lost : line.lostCameras)
+        if (lost.camera == c) {
+          words = tr("Lost: %1").arg(QString::fromStdString(lost.reason));
+          stale = true;
+        }
+      if (!stale && line.held()) {
+        words = tr("Held");
         stale = true;
       }
-    if (words.isEmpty() && line.held()) {
-      words = tr("held, %1 old").arg(age(line.ageS));
-      stale = true;
+      if (line.state == LineState::Idle) words = tr("The line has not been started (Ctrl+R).");
+      if (stale && pixels)
+        words += QStringLiteral(", ") + tr("%1 old").arg(age(std::chrono::duration<double>(now - picture->at).count()));
     }
-    if (words.isEmpty() && frozen_) words = tr("Frozen");
-    if (words.isEmpty() && !watch_) words = tr("This source hands out no pictures.");
     view(c).setState(words, stale);
   }
-  compare();
 }
 
-StripeSettings StripesPage::onTrial() const {
-  StripeSettings settings = inUse_;
-  for (std::size_t i = 0; i < kParameters.size(); ++i) settings.*kParameters[i].value = fields_[i]->value();
-  return settings;
-}
-
-bool StripesPage::onTrialDiffers() const {
-  const StripeSettings trial = onTrial();
-  return std::any_of(kParameters.begin(), kParameters.end(),
-                     [&](const Parameter& p) { return std::abs(trial.*p.value - inUse_.*p.value) > 1e-9; });
+void StripesPage::showLine(const LineSnapshot& line, PullDetail detail) {
+  latest_ = line.latest;
+  watch(line);
+  if (detail != PullDetail::Everything) return;
+  followSettings(line);
+  showRates(line);
+  showStates(line);
 }
 
 void StripesPage::startTrial() {
-  discard_->setEnabled(onTrialDiffers());
-  const auto fine = checked(onTrial());
+  const auto fine = checked(trial_->stripeOnTrial());
   if (!fine) {
-    result_->setText(QString::fromStdString(fine.error().message()));
+    trial_->setMessage(QString::fromStdString(fine.error().message()));
     if (watch_) watch_->setTrial({});
     return;
   }
-  showPermission();
+  say();
+  const bool differs = trial_->differs();
   // Old and new are compared on the same picture.
-  if (onTrialDiffers()) setFrozen(true);
-  if (watch_) watch_->setTrial(onTrialDiffers() ? std::optional(*fine) : std::nullopt);
+  if (differs && !frozen_) setFrozen(true);
+  if (!watch_) return;
+  if (differs)
+    watch_->setTrial(TrialSettings{*fine, trial_->exposureOnTrial().value_or(0)}, place_.line.pictureAgain());
+  else
+    watch_->setTrial({});
 }
 
 void StripesPage::discard() {
-  for (std::size_t i = 0; i < kParameters.size(); ++i) {
-    const QSignalBlocker quiet(fields_[i]);
-    fields_[i]->setValue(inUse_.*kParameters[i].value);
-    used_[i]->setText(locale().toString(inUse_.*kParameters[i].value, 'f', kParameters[i].decimals));
-  }
-  discard_->setEnabled(false);
+  trial_->discard();
   if (watch_) watch_->setTrial({});
   if (frozen_) setFrozen(false);
-}
-
-void StripesPage::apply() {
-  const QString reason = reason_->text().trimmed();
-  if (!onTrialDiffers()) {
-    result_->setText(tr("Nothing is on trial: change a parameter first."));
-    return;
-  }
-  if (reason.isEmpty()) {
-    result_->setText(tr("A change of the measurement needs a reason."));
-    reason_->setFocus();
-    return;
-  }
-  const auto fine = checked(onTrial());
-  if (!fine) {
-    result_->setText(QString::fromStdString(fine.error().message()));
-    return;
-  }
-  std::string details;
-  for (std::size_t i = 0; i < kParameters.size(); ++i)
-    if (std::abs((*fine).*kParameters[i].value - inUse_.*kParameters[i].value) > 1e-9)
-      details += words_[i]->text().toStdString() + " " + std::to_string(inUse_.*kParameters[i].value) + " -> " +
-                 std::to_string((*fine).*kParameters[i].value) + "; ";
-  place_.line.useStripeSettings(*fine);
-  if (archive_)
-    archive_->ask("audit",
-                  [user = place_.session.user().toStdString(), why = reason.toStdString(), details](
-                      const Archive* archive, const std::string&) -> ArchiveReader::Answer {
-                    if (archive != nullptr)
-                      (void)AuditTrail(*archive).add(user, "line parameters", "stripe extraction", why, details);
-                    return {};
-                  });
-  reason_->clear();
-  result_->setText(
-      tr("Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what "
-         "it began with."));
+  say();
 }
 
 void StripesPage::setFrozen(bool frozen) {
   frozen_ = frozen;
+  missing_ = {};
   if (watch_) watch_->setFrozen(frozen);
-  freeze_->setChecked(frozen);
-  freeze_->setText(frozen ? tr("Live again") : tr("Freeze"));
-  for (StripeView* view : views_)
-    if (view->accessibleDescription().isEmpty() || !frozen) view->setState(frozen ? tr("Frozen") : QString(), false);
+  trial_->setFrozen(frozen);
+  trial_->setCamera(chosen_);
+  for (StripeView* view : views_) view->setState(frozen ? tr("Frozen") : QString(), false);
+}
+
+void StripesPage::showBehind(const ProfileResult& profile) {
+  if (!watch_) return;
+  setFrozen(true);
+  for (int c = 0; c < kCameraCount; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const std::string& why = profile.profile.missing[i];
+    missing_[i] = why.empty() ? tr("The picture is no longer held: the last %n are.", nullptr,
+                                   static_cast<int>(LatestFrames::kHeld))
+                              : tr("No picture: %1").arg(QString::fromStdString(why));
+  }
+  // A frame that was lost is not made again: it was never seen.
+  PictureAgain again;
+  if (auto any = place_.line.pictureAgain())
+    again = [any = std::move(any), missing = profile.profile.missing](int camera, std::uint64_t trigger,
+                                                                      double exposureMs) -> std::optional<Frame> {
+      if (!missing[static_cast<std::size_t>(camera)].empty()) return {};
+      return any(camera, trigger, exposureMs);
+    };
+  watch_->showTrigger(profile.profile.trigger, std::move(again));
+  trial_->setMessage(
+      tr("Pictures behind the profile at %1 m.").arg(locale().toString(profile.profile.positionMm / 1000, 'f', 3)));
 }
 
 void StripesPage::choose(int camera) {
   chosen_ = camera;
   for (int c = 0; c < kCameraCount; ++c) view(c).setChosen(c == camera);
-  trial_->setNote(tr("camera %1").arg(camera + 1));
-  compare();
+  trial_->setCamera(camera);
+  trial_->showPicture(view(camera).picture());
 }
 
-void StripesPage::compare() {
-  const auto& picture = view(chosen_).picture();
-  const auto cell = [&](int row, int column, const QString& text) {
-    QTableWidgetItem* item = comparison_->item(row, column);
-    if (item == nullptr) {
-      item = new QTableWidgetItem;
-      item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-      comparison_->setItem(row, column, item);
-    }
-    item->setText(text);
-  };
-  const QStringList words = {tr("Points"), tr("Saturated, %"), tr("Uncertainty, px"), tr("Time, ms"),
-                             tr("Mean shift, px")};
-  for (int row = 0; row < 5; ++row) cell(row, 0, words[row]);
-  comparison_->setColumnWidth(0, comparison_->viewport()->width() * 37 / 100);
-  comparison_->setColumnWidth(1, comparison_->viewport()->width() * 20 / 100);
-  comparison_->setColumnWidth(2, comparison_->viewport()->width() * 20 / 100);
-  if (!picture) return;
-  const StripeResult& used = picture->inUse.stripe;
-  const StripeResult* tried = picture->trial ? &picture->trial->stripe : nullptr;
-  const auto row = [&](int at, double inUse, double trial, int decimals) {
-    cell(at, 1, locale().toString(inUse, 'f', decimals));
-    cell(at, 2, tried != nullptr ? locale().toString(trial, 'f', decimals) : QStringLiteral("–"));
-    const QString sign = trial >= inUse ? QStringLiteral("+") : QString();
-    cell(at, 3, tried != nullptr ? sign + locale().toString(trial - inUse, 'f', decimals) : QStringLiteral("–"));
-  };
-  row(0, static_cast<double>(used.points.size()), tried ? static_cast<double>(tried->points.size()) : 0, 0);
-  row(1, 100 * static_cast<double>(used.saturatedShare), tried ? 100 * static_cast<double>(tried->saturatedShare) : 0,
-      2);
-  row(2, meanSigma(used), tried ? meanSigma(*tried) : 0, 3);
-  row(3, picture->inUse.ms, picture->trial ? picture->trial->ms : 0, 2);
-  cell(4, 1, QStringLiteral("–"));
-  cell(4, 2, QStringLiteral("–"));
-  cell(4, 3, tried != nullptr ? locale().toString(meanShift(*tried, used), 'f', 3) : QStringLiteral("–"));
+void StripesPage::say() {
+  const bool may = place_.session.may(Permission::TuneLines);
+  trial_->setMay(may);
+  if (waiting_)
+    trial_->setMessage(tr("Waits for the next rail; the running rail keeps what it began with."));
+  else if (!may)
+    trial_->setMessage(tr("Anybody may try; a technician who has signed in applies."));
+  else
+    trial_->setMessage(tr("What is tried acts on these pictures alone until it is applied."));
+}
+
+void StripesPage::apply() {
+  if (!place_.session.may(Permission::TuneLines)) return;
+  if (!trial_->differs()) return trial_->setMessage(tr("Nothing is on trial: change a parameter first."));
+  const QString reason = trial_->reason();
+  if (reason.isEmpty()) {
+    trial_->setMessage(tr("A change of the measurement needs a reason."));
+    return trial_->askForReason();
+  }
+  const auto fine = checked(trial_->stripeOnTrial());
+  if (!fine) return trial_->setMessage(QString::fromStdString(fine.error().message()));
+  if (!archive_)
+    return trial_->setMessage(tr("There is no archive, so the change could not be recorded: nothing was changed."));
+  trial_->setMessage(tr("The change is being recorded…"));
+  // Recorded first: what is not in the audit trail does not come into force. Of each kind only the newest question
+  // waits, so every change is a kind of its own.
+  archive_->ask(
+      "audit " + std::to_string(++changes_),
+      [this, stripe = *fine, exposure = trial_->exposureOnTrial(), details = trial_->changes(),
+       why = reason.toStdString(), user = place_.session.user().toStdString()](
+          const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
+        std::string failure = problem;
+        if (archive != nullptr) {
+          const auto added = AuditTrail(*archive).add(user, "line parameters", "stripe extraction", why, details);
+          failure = added ? std::string() : added.error().message();
+        }
+        return [this, stripe, exposure, failure] {
+          if (failure.empty()) return use(stripe, exposure);
+          trial_->setMessage(
+              tr("Nothing was changed, because it could not be recorded: %1").arg(QString::fromStdString(failure)));
+        };
+      });
+}
+
+void StripesPage::use(const StripeSettings& stripe, std::optional<double> exposureMs) {
+  if (!same(stripe, inUse_)) place_.line.useStripeSettings(stripe);
+  if (exposureMs) place_.line.useExposure(*exposureMs);
+  trial_->clearReason();
+  trial_->setMessage(exposureMs ? tr("Recorded. The exposure changes with the next start of the line, the parameters "
+                                     "with the next rail.")
+                                : tr("Recorded. Waits for the next rail; the running rail keeps what it began with."));
 }
 
 void StripesPage::save() {
   const auto picture = view(chosen_).picture();
-  if (!picture) return;
+  if (!picture || !picture->taken) return trial_->setMessage(tr("Camera %1 has no picture to save.").arg(chosen_ + 1));
   const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the picture"), QStringLiteral("camera%1-trigger%2.png").arg(chosen_ + 1).arg(picture->trigger));
-  if (!file.isEmpty())
-    result_->setText(picture->image.save(file) ? tr("%1 is written").arg(file) : tr("%1 cannot be written").arg(file));
+      this, tr("Save the picture"), QStringLiteral("camera%1-trigger%2.png").arg(chosen_ + 1).arg(picture->trigger),
+      tr("Pictures (*.png)"));
+  if (!file.isEmpty()) savePicture(file);
+}
+
+void StripesPage::savePicture(const QString& file) {
+  const auto picture = view(chosen_).picture();
+  if (!picture || !picture->taken) return;
+  trial_->setMessage(tr("Saving %1…").arg(file));
+  writing_ = std::jthread([this, file, taken = picture->taken] {
+    const ImageView& image = taken->frame.image;
+    QSaveFile out(file);
+    const QImage pixels(image.data, image.width, image.height, image.stride, QImage::Format_Grayscale8);
+    QString failure;
+    if (!out.open(QIODevice::WriteOnly) || !pixels.save(&out, "PNG") || !out.commit()) failure = out.errorString();
+    QMetaObject::invokeMethod(
+        this,
+        [this, file, failure] {
+          trial_->setMessage(failure.isEmpty() ? tr("%1 is written.").arg(file)
+                                               : tr("%1 cannot be written: %2").arg(file, failure));
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 }  // namespace vignole

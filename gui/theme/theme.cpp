@@ -93,6 +93,7 @@ QString Theme::styleSheet() const {
     QLineEdit:disabled, QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: @t3; }
     QComboBox::drop-down { border: 0; width: 32px; }
     QComboBox::down-arrow { image: url(:/icons/@arrow.svg); width: 16px; height: 16px; }
+    QDoubleSpinBox[changed="true"] { background: @accsoft; border-color: @accent; }
     QComboBox QAbstractItemView { background: @panel2; color: @t1; selection-background-color: @accsoft;
         selection-color: @t1; border: 1px solid @line; outline: 0; }
     QMenu { background: @panel2; color: @t1; border: 1px solid @line; padding: 4px; }

@@ -35,11 +35,17 @@ class FakeLine : public Line {
   LineSnapshot snapshot = emptySnapshot();
   int starts = 0, stops = 0;
   bool isRunning = true;
+  std::shared_ptr<LatestFrames> pictures;  ///< null: hands out none
+  RigCalibration rig;
+  std::optional<StripeSettings> used;  ///< what was last asked for the next rail
 
   void start() override { ++starts, isRunning = true; }
   void stop() override { ++stops, isRunning = false; }
   [[nodiscard]] bool running() const override { return isRunning; }
   [[nodiscard]] const LineSnapshot& pull(PullDetail /*detail*/) override { return snapshot; }
+  [[nodiscard]] std::shared_ptr<LatestFrames> frames() override { return pictures; }
+  [[nodiscard]] RigCalibration calibration() override { return rig; }
+  void useStripeSettings(const StripeSettings& settings) override { used = settings; }
 };
 
 }  // namespace vignole::test

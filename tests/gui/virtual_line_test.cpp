@@ -1,6 +1,7 @@
 #include "gui/bridge/virtual_line.h"
 
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "engine/recipe/recipe.h"
@@ -55,6 +56,83 @@ TEST(VirtualLine, AWrongDeviationIsSeenOnTheRail) {
         return now.rail && now.rail->dimensions[index(Dimension::WT)].verdict == Verdict::Fail;
       },
       30000));
+}
+
+TEST(VirtualLine, OtherStripeSettingsComeWithTheNextRailAndNoRailIsCutShort) {
+  VirtualLineSettings s = settings();
+  s.railLengthMm = 1500;
+  auto line = VirtualLine::create(s);
+  ASSERT_TRUE(line) << line.error().message();
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  StripeSettings wanted = s.recipe.stripe;
+  wanted.sigma = 3.4;
+  const std::uint64_t before = (*line)->pull(PullDetail::Everything).railsPassed;
+  (*line)->useStripeSettings(wanted);
+  {
+    const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+    ASSERT_TRUE(now.nextStripe);
+    EXPECT_NE(now.recipe->stripe.sigma, 3.4) << "the running rail keeps what it began with";
+  }
+  bool always = true;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+        always = always && (*line)->running() && now.state != LineState::Stopped && now.state != LineState::Fault;
+        return now.recipe->stripe.sigma == 3.4 && !now.nextStripe;
+      },
+      30000));
+  EXPECT_TRUE(always) << "the line never looks stopped between the two";
+  EXPECT_GT((*line)->pull(PullDetail::Everything).railsPassed, before);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).railsPassed >= before + 3; }, 30000));
+  const LineSnapshot& after = (*line)->pull(PullDetail::Everything);
+  for (std::size_t i = 0; i < after.passed.size(); ++i)
+    EXPECT_EQ(after.passed[i].id, "V1-" + std::to_string(i + 1)) << "no rail is left out or seen twice";
+  EXPECT_EQ(after.triggers.seen, after.triggers.measured + after.triggers.incomplete + after.triggers.lost);
+}
+
+TEST(VirtualLine, AChangeThatAStopOvertakesComesWithTheNextStart) {
+  auto line = VirtualLine::create(settings());
+  ASSERT_TRUE(line) << line.error().message();
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  StripeSettings wanted = settings().recipe.stripe;
+  wanted.sigma = 3.4;
+  (*line)->useStripeSettings(wanted);
+  (*line)->stop();
+  ASSERT_TRUE(waitForState(**line, LineState::Stopped));
+  EXPECT_FALSE((*line)->running());
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).recipe->stripe.sigma, 3.4);
+}
+
+TEST(VirtualLine, APictureMadeAgainIsTheOneThatWasMeasured) {
+  auto line = VirtualLine::create(settings());
+  ASSERT_TRUE(line) << line.error().message();
+  const auto frames = (*line)->frames();
+  const FramesWatcher watcher(frames);
+  (*line)->start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return frames->latest(2) != nullptr; }, 30000));
+  const auto held = frames->latest(2);
+  const ImageView& was = held->frame.image;
+  EXPECT_FALSE(held->stripe.points.empty());
+  const auto again = (*line)->pictureAgain()(2, held->frame.trigger, 0);
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->image.width, was.width);
+  bool equal = true;
+  for (int y = 0; y < was.height; ++y)
+    equal = equal && std::equal(was.row(y), was.row(y) + was.width, again->image.row(y));
+  EXPECT_TRUE(equal);
+  const auto darker = (*line)->pictureAgain()(2, held->frame.trigger, 5);
+  ASSERT_TRUE(darker);
+  const auto sum = [](const ImageView& image) {
+    std::uint64_t total = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) total += image.row(y)[x];
+    return total;
+  };
+  EXPECT_LT(sum(darker->image), sum(again->image));
 }
 
 TEST(VirtualLine, ClosingTheWindowWhileMeasuringStopsCleanly) {
