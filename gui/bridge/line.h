@@ -11,6 +11,7 @@
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
+#include "gui/bridge/seam_watch.h"
 
 namespace vignole {
 
@@ -59,6 +60,7 @@ struct LineSnapshot {
   std::uint64_t recentIncomplete = 0;  ///< triggers not measured completely on this rail
   std::vector<StageStatistics> stages;
   TriggerLedger triggers;
+  std::shared_ptr<const DriftTrack> drift;  ///< null: nobody watches the seams
 
   /// Values are no longer live: they are shown grey, with their age.
   [[nodiscard]] bool held() const { return latest && state != LineState::Measuring && ageS > 1.0; }
@@ -75,6 +77,13 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
+
+  /// The one that is measured with, or will be from the next start on; null: the line does not tell.
+  [[nodiscard]] virtual std::shared_ptr<const RigCalibration> calibration() const { return nullptr; }
+  /// From the next start on. Never null.
+  virtual void useCalibration(std::shared_ptr<const RigCalibration> /*calibration*/) {}
+  /// Of the virtual rig that stands in for cameras; empty: there are cameras.
+  [[nodiscard]] virtual std::optional<std::uint64_t> virtualRigSeed() const { return {}; }
 };
 
 }  // namespace vignole

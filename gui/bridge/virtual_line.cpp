@@ -4,6 +4,7 @@
 
 #include "gui/bridge/rail_recorder.h"
 #include "gui/bridge/rail_watch.h"
+#include "gui/bridge/seam_watch.h"
 
 namespace vignole {
 
@@ -15,7 +16,10 @@ constexpr double kSilentS = 1.0;
 struct VirtualLine::Impl {
   VirtualLineSettings settings;
   std::shared_ptr<const VirtualRig> rig;
+  std::shared_ptr<const RigCalibration> calibration;  ///< from the next start on
   RailWatch watch;
+  SeamWatch seams;
+  std::shared_ptr<const RigCalibration> seamsOf;
   // The inspection uses source and watch: it is declared last and goes first.
   std::unique_ptr<FrameSource> source;
   std::unique_ptr<Inspection> inspection;
@@ -25,9 +29,13 @@ struct VirtualLine::Impl {
   LineSnapshot snapshot;
 
   Impl(VirtualLineSettings s, std::shared_ptr<const VirtualRig> r)
-      : settings(std::move(s)), rig(std::move(r)), watch(settings.recipe, rig->calibration().id) {
+      : settings(std::move(s)),
+        rig(std::move(r)),
+        calibration(std::make_shared<const RigCalibration>(rig->calibration())),
+        watch(settings.recipe, calibration->id),
+        seams(settings.recipe.section) {
     snapshot.recipe = &settings.recipe;
-    snapshot.calibrationMethod = rig->calibration().method;
+    snapshot.calibrationMethod = calibration->method;
     snapshot.expectedPerS = settings.rig.speedMmPerS / settings.rig.spacingMm;
   }
 
@@ -65,15 +73,18 @@ void VirtualLine::start() {
   source.lengthMm = i.settings.railLengthMm;
   source.paced = true;
   i.source = makeVirtualSource(i.rig, source);
-  i.watch.restart();
+  i.watch.restart(i.calibration->id);
+  i.snapshot.calibrationMethod = i.calibration->method;
+  if (i.seamsOf != i.calibration) i.seams.restart(i.settings.recipe.section);
+  i.seamsOf = i.calibration;
   i.stopAsked = false;
   ++i.starts;
-  InspectionObserver observer = i.watch.observer();
+  InspectionObserver observer = i.seams.watched(i.watch.observer());
   if (i.writer != nullptr) {
-    auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, i.rig->calibration()});
+    auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, *i.calibration});
     observer = recorded(std::move(observer), *i.writer, std::move(setup), {}, [&i] { return i.inspection->stages(); });
   }
-  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, i.rig->calibration(), std::move(observer));
+  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, *i.calibration, std::move(observer));
   i.inspection->start();
 }
 
@@ -86,6 +97,16 @@ void VirtualLine::stop() {
 
 bool VirtualLine::running() const { return impl_->inspection && impl_->inspection->running(); }
 
+std::shared_ptr<const RigCalibration> VirtualLine::calibration() const { return impl_->calibration; }
+
+void VirtualLine::useCalibration(std::shared_ptr<const RigCalibration> calibration) {
+  impl_->calibration = std::move(calibration);
+}
+
+std::optional<std::uint64_t> VirtualLine::virtualRigSeed() const {
+  return impl_->settings.rig.rigSeed.value_or(impl_->settings.rig.seed);
+}
+
 const LineSnapshot& VirtualLine::pull(PullDetail detail) {
   Impl& i = *impl_;
   i.watch.fill(i.snapshot, detail, RailWatch::Clock::now());
@@ -94,6 +115,7 @@ const LineSnapshot& VirtualLine::pull(PullDetail detail) {
     i.snapshot.stages = i.inspection->stages();
     i.snapshot.triggers = i.inspection->triggers();
     i.snapshot.error = i.watch.ended().value_or("");
+    i.snapshot.drift = i.seams.track();
   }
   return i.snapshot;
 }
