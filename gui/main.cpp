@@ -120,9 +120,9 @@ int run(QApplication& app, const Options& options) {
   Records records = openRecords(options, !options.screenshot.empty() || options.selfTestS);
   (*line)->record(records.writer.get());
   if (records.archive) {
-    auto inForce = calibrationInForce(*records.archive, *(*line)->calibration());
+    auto inForce = calibrationInForce(*records.archive, (*line)->calibration());
     if (!inForce) return fail(inForce.error());
-    if (*inForce) (*line)->useCalibration(std::make_shared<const RigCalibration>(**std::move(inForce)));
+    if (*inForce) (*line)->useCalibration(**inForce);
   }
   Workplace place{theme, **line, session, units};
   place.archive = records.archive ? &*records.archive : nullptr;

@@ -32,6 +32,10 @@ PerDimension<double> uncertaintyBy(const RigCalibration& calibration, const Reci
 
 }  // namespace
 
+StripeOptics extractionOptics(const RigCalibration& calibration, const Section& section, int camera) {
+  return stripeOptics(calibration.rangeFinders[static_cast<std::size_t>(camera)], fieldAround(section));
+}
+
 struct Inspection::Impl {
   Impl(FrameSource& source, Recipe chosenRecipe, RigCalibration rig, InspectionObserver observer,
        const InspectionSettings& settings)
@@ -42,7 +46,7 @@ struct Inspection::Impl {
         measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement,
                  uncertaintyBy(calibration, recipe)) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
-      extractors.emplace_back(recipe.stripe, stripeOptics(calibration.rangeFinders[c], fieldAround(recipe.section)));
+      extractors.emplace_back(recipe.stripe, extractionOptics(calibration, recipe.section, static_cast<int>(c)));
       translators.emplace_back(static_cast<int>(c), calibration.rangeFinders[c]);
     }
     pipeline = std::make_unique<Pipeline>(source, work(), std::move(observer), settings);

@@ -61,6 +61,9 @@ struct InspectionObserver {
   std::function<void(const std::string& error)> ended;  ///< after the last; error empty if all went well
 };
 
+/// What an inspection tells the extraction of a camera (0..3): who extracts with it again gets the same lines.
+[[nodiscard]] StripeOptics extractionOptics(const RigCalibration& calibration, const Section& section, int camera);
+
 struct InspectionSettings {
   std::size_t queueCapacity = 16;
   int pendingProfiles = 64;  ///< how far one camera may run ahead before a trigger is given up as incomplete (live)

@@ -11,6 +11,7 @@
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
+#include "gui/bridge/frame_tap.h"
 #include "gui/bridge/seam_watch.h"
 
 namespace vignole {
@@ -77,13 +78,16 @@ class Line {
   [[nodiscard]] virtual bool running() const = 0;
   /// Valid until the next pull. Cheap: called on every display tick.
   [[nodiscard]] virtual const LineSnapshot& pull(PullDetail detail) = 0;
-
-  /// The one that is measured with, or will be from the next start on; null: the line does not tell.
-  [[nodiscard]] virtual std::shared_ptr<const RigCalibration> calibration() const { return nullptr; }
-  /// From the next start on. Never null.
-  virtual void useCalibration(std::shared_ptr<const RigCalibration> /*calibration*/) {}
+  /// The cameras' latest frames; null: this line hands out none.
+  [[nodiscard]] virtual std::shared_ptr<LatestFrames> frames() { return nullptr; }
+  /// The one that is measured with, or will be from the next start on; without an id: the line does not tell.
+  [[nodiscard]] virtual RigCalibration calibration() { return {}; }
+  /// From the next start on.
+  virtual void useCalibration(const RigCalibration& /*calibration*/) {}
   /// Of the virtual rig that stands in for cameras; empty: there are cameras.
   [[nodiscard]] virtual std::optional<std::uint64_t> virtualRigSeed() const { return {}; }
+  /// From the next start on; the running rail keeps what it began with. Settings are checked().
+  virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
 };
 
 }  // namespace vignole

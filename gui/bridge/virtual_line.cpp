@@ -1,6 +1,7 @@
 #include "gui/bridge/virtual_line.h"
 
 #include <limits>
+#include <utility>
 
 #include "gui/bridge/rail_recorder.h"
 #include "gui/bridge/rail_watch.h"
@@ -21,7 +22,9 @@ struct VirtualLine::Impl {
   SeamWatch seams;
   std::shared_ptr<const RigCalibration> seamsOf;
   // The inspection uses source and watch: it is declared last and goes first.
-  std::unique_ptr<FrameSource> source;
+  std::shared_ptr<LatestFrames> frames = std::make_shared<LatestFrames>();
+  std::optional<StripeSettings> nextStripe;
+  std::unique_ptr<FrameSource> source, tap;
   std::unique_ptr<Inspection> inspection;
   RailWriter* writer = nullptr;
   std::uint64_t starts = 0;
@@ -77,6 +80,8 @@ void VirtualLine::start() {
   i.snapshot.calibrationMethod = i.calibration->method;
   if (i.seamsOf != i.calibration) i.seams.restart(i.settings.recipe.section);
   i.seamsOf = i.calibration;
+  i.tap = std::make_unique<FrameTap>(*i.source, i.frames);
+  if (i.nextStripe) i.settings.recipe.stripe = *std::exchange(i.nextStripe, std::nullopt);
   i.stopAsked = false;
   ++i.starts;
   InspectionObserver observer = i.seams.watched(i.watch.observer());
@@ -84,9 +89,13 @@ void VirtualLine::start() {
     auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, *i.calibration});
     observer = recorded(std::move(observer), *i.writer, std::move(setup), {}, [&i] { return i.inspection->stages(); });
   }
-  i.inspection = std::make_unique<Inspection>(*i.source, i.settings.recipe, *i.calibration, std::move(observer));
+  i.inspection = std::make_unique<Inspection>(*i.tap, i.settings.recipe, *i.calibration, std::move(observer));
   i.inspection->start();
 }
+
+std::shared_ptr<LatestFrames> VirtualLine::frames() { return impl_->frames; }
+RigCalibration VirtualLine::calibration() { return *impl_->calibration; }
+void VirtualLine::useStripeSettings(const StripeSettings& settings) { impl_->nextStripe = settings; }
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
 
@@ -97,10 +106,8 @@ void VirtualLine::stop() {
 
 bool VirtualLine::running() const { return impl_->inspection && impl_->inspection->running(); }
 
-std::shared_ptr<const RigCalibration> VirtualLine::calibration() const { return impl_->calibration; }
-
-void VirtualLine::useCalibration(std::shared_ptr<const RigCalibration> calibration) {
-  impl_->calibration = std::move(calibration);
+void VirtualLine::useCalibration(const RigCalibration& calibration) {
+  impl_->calibration = std::make_shared<const RigCalibration>(calibration);
 }
 
 std::optional<std::uint64_t> VirtualLine::virtualRigSeed() const {

@@ -29,10 +29,12 @@ class VirtualLine : public Line {
   void stop() override;
   [[nodiscard]] bool running() const override;
   [[nodiscard]] const LineSnapshot& pull(PullDetail detail) override;
+  [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
   /// The exact one of the rig until another is to be used.
-  [[nodiscard]] std::shared_ptr<const RigCalibration> calibration() const override;
-  void useCalibration(std::shared_ptr<const RigCalibration> calibration) override;
+  [[nodiscard]] RigCalibration calibration() override;
+  void useCalibration(const RigCalibration& calibration) override;
   [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override;
+  void useStripeSettings(const StripeSettings& settings) override;
 
  private:
   struct Impl;

@@ -15,8 +15,10 @@
 #include "gui/main_window/page_bar.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
+#include "gui/quality/quality_page.h"
 #include "gui/rails/rails_page.h"
 #include "gui/settings/settings_page.h"
+#include "gui/stripes/stripes_page.h"
 
 namespace vignole {
 
@@ -78,10 +80,12 @@ MainWindow::MainWindow(Workplace& place, const Clock& clock) : place_(place), li
 void MainWindow::addPages() {
   monitor_ = new MonitorPage(theme_, *line_.pull(PullDetail::Profile).recipe, stack_);
   add(PageId::Monitor, monitor_);
+  add(PageId::Stripes, new StripesPage(place_, stack_));
   add(PageId::Charts, new ChartsPage(place_, stack_));
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
+  add(PageId::Quality, new QualityPage(place_, stack_));
   add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));
   settings_ = new SettingsPage(place_, stack_);
