@@ -1,0 +1,334 @@
+// Calibration: the wizard of the range finders lived through by clicks on the virtual rig, its refusals, its cancel;
+// history, comparison, revert.
+
+#include "gui/calibration/calibration_page.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "engine/archive/audit_trail.h"
+#include "engine/simulator/virtual_rig.h"
+#include "gui/bridge/calibration_in_force.h"
+#include "gui/calibration/calibration_overview.h"
+#include "gui/calibration_records/calibration_desk.h"
+#include "gui/calibration_rig/rig_wizard.h"
+#include "tests/gui/made_line.h"
+
+namespace vignole {
+namespace {
+
+using namespace vignole::test;
+
+constexpr int kLong = 240000;
+
+/// Stands still before the virtual rig of a seed; knows its exact calibration.
+class RigLine : public FakeLine {
+ public:
+  RigCalibration used;
+  int changes = 0;
+  explicit RigLine(std::uint64_t seed) : seed_(seed) {
+    VirtualRigSettings settings;
+    settings.section = recipe().section;
+    settings.rigSeed = seed;
+    used = (*VirtualRig::create(settings))->calibration();
+    isRunning = false;
+    snapshot = emptySnapshot(LineState::Stopped);
+  }
+  [[nodiscard]] RigCalibration calibration() override { return used; }
+  void useCalibration(const RigCalibration& calibration) override {
+    used = calibration;
+    ++changes;
+  }
+  [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override { return seed_; }
+
+ private:
+  std::uint64_t seed_;
+};
+
+class CalibrationPageTest : public ::testing::Test {
+ protected:
+  QTemporaryDir folder;
+  RigLine line{3};
+  Theme theme;
+  Session session;
+  Units units;
+  Workplace place{theme, line, session, units};
+  std::optional<Archive> archive;
+  std::unique_ptr<CalibrationPage> page;
+
+  void SetUp() override {
+    place.archiveUrl = folder.filePath(QStringLiteral("calibrations.db")).toStdString();
+    auto opened = Archive::open(place.archiveUrl, Archive::Missing::Create);
+    ASSERT_TRUE(opened) << opened.error().message();
+    archive = std::move(*opened);
+    place.archive = &*archive;
+    session.enter(QStringLiteral("tessa"), Role::Technician);
+  }
+  void open() {
+    page = std::make_unique<CalibrationPage>(place);
+    page->setStyleSheet(theme.styleSheet());
+    page->resize(1920, 912);
+    page->show();
+    page->showLine(line.snapshot, PullDetail::Everything);
+  }
+  RigWizard& wizard() { return page->rigWizard(); }
+  template <typename W>
+  W* named(const char* accessibleName) {
+    for (W* w : page->findChildren<W*>())
+      if (w->accessibleName() == QLatin1String(accessibleName) && w->isVisible()) return w;
+    ADD_FAILURE() << "no " << accessibleName;
+    return nullptr;
+  }
+  void click(const char* accessibleName) {
+    auto* button = named<QPushButton>(accessibleName);
+    ASSERT_NE(button, nullptr);
+    ASSERT_TRUE(button->isEnabled()) << accessibleName << ": " << words().toStdString();
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  /// All that is written on the page.
+  QString words() {
+    QStringList all;
+    for (QLabel* label : page->findChildren<QLabel*>())
+      if (label->isVisible()) all << label->text();
+    return all.join(QStringLiteral(" | "));
+  }
+  /// For people to look at, in both themes and the least size: VIGNOLE_KEEP_PICTURES=DIR.
+  void keep(const char* name) {
+    const QString where = qEnvironmentVariable("VIGNOLE_KEEP_PICTURES");
+    EXPECT_LE(page->minimumSizeHint().width(), 1366) << name;
+    EXPECT_LE(page->minimumSizeHint().height(), 624) << name;
+    if (where.isEmpty()) return;
+    for (const bool dark : {false, true})
+      for (const QSize size : {QSize(1920, 912), QSize(1366, 624)}) {
+        theme.setDark(dark);
+        page->setStyleSheet(theme.styleSheet());
+        page->resize(size);
+        page->grab().save(QDir(where).filePath(QStringLiteral("%1-%2-%3.png")
+                                                   .arg(QLatin1String(name))
+                                                   .arg(dark ? QStringLiteral("dark") : QStringLiteral("light"))
+                                                   .arg(size.width())));
+      }
+    theme.setDark(false);
+    page->setStyleSheet(theme.styleSheet());
+    page->resize(1920, 912);
+  }
+  void waitForSight() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return wizard().sight() && !wizard().looking(); }, kLong));
+  }
+  /// To the first placement with so few of them.
+  void startWith(int placements, int fault = 0) {
+    open();
+    click("Calibrate the range finders with the pin plate");
+    named<QSpinBox>("Number of placements")->setValue(placements);
+    named<QComboBox>("The virtual plate, for training")->setCurrentIndex(fault);
+    click("First placement");
+    waitForSight();
+  }
+  void placeAsShown() {
+    click("Place as shown");
+    waitForSight();
+  }
+  void solveFrom(int placements) {
+    for (int i = 0; i < placements; ++i) {
+      ASSERT_EQ(wizard().stage(), RigWizard::Stage::Placement);
+      ASSERT_EQ(wizard().placement(), i);
+      waitForSight();
+      placeAsShown();
+      if (i + 1 < placements) click("Next placement");
+    }
+    QSignalSpy solved(&wizard(), &RigWizard::solved);
+    click("Solve");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
+  }
+};
+
+TEST_F(CalibrationPageTest, TheRangeFindersAreCalibratedAndPutBack) {
+  const std::string before = line.used.id;
+  startWith(2);
+  keep("rig-1-placement-off");
+  // As it comes out of its box the plate lies elsewhere: what to do is said, and there is no going on.
+  EXPECT_FALSE(named<QPushButton>("Next placement")->isEnabled());
+  EXPECT_TRUE(words().contains(QStringLiteral("turned by 12° clockwise"))) << words().toStdString();
+  EXPECT_TRUE(words().contains(QStringLiteral("17 mm to the left"))) << words().toStdString();
+  placeAsShown();
+  keep("rig-2-placement-good");
+  EXPECT_TRUE(named<QPushButton>("Next placement")->isEnabled()) << words().toStdString();
+  ASSERT_TRUE(wizard().sight()->usable());
+  for (const auto& found : wizard().sight()->found) EXPECT_GE(found.size(), 8U);
+  click("Next placement");
+  waitForSight();
+  // The plate still lies as in the first placement, so it is told to be turned.
+  EXPECT_FALSE(named<QPushButton>("Solve")->isEnabled());
+  placeAsShown();
+  QSignalSpy solved(&wizard(), &RigWizard::solved);
+  click("Solve");
+  keep("rig-3-solve");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
+  ASSERT_EQ(wizard().stage(), RigWizard::Stage::Compare) << words().toStdString();
+  keep("rig-4-compare");
+  ASSERT_TRUE(wizard().solution());
+  ASSERT_TRUE(wizard().solution()->mayBeUsed()) << words().toStdString();
+  for (const DimensionWorth& w : wizard().solution()->worth) {
+    ASSERT_TRUE(w.newMm) << name(w.dimension);
+    EXPECT_GT(*w.newMm, 0);
+    EXPECT_LT(*w.newMm, w.dimension == Dimension::HR ? 20 : 0.1) << name(w.dimension);
+    EXPECT_FALSE(w.largest.empty());
+  }
+  EXPECT_EQ(line.used.id, before) << "applied before it was confirmed";
+  click("Next");
+  keep("rig-5-apply");
+  QSignalSpy applied(&wizard(), &RigWizard::applied);
+  click("Put in force");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return applied.count() == 1; }, kLong));
+  EXPECT_EQ(line.changes, 0) << "without a reason";
+  QTest::keyClicks(named<QLineEdit>("Reason for the new calibration"), QStringLiteral("camera 2 was changed"));
+  click("Put in force");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return applied.count() == 2; }, kLong));
+  ASSERT_EQ(line.changes, 1) << words().toStdString();
+  EXPECT_NE(line.used.id, before);
+  EXPECT_EQ(line.used.intervalDays, 90);
+  keep("rig-6-applied");
+  const auto trail = AuditTrail(*archive).entries();
+  ASSERT_TRUE(trail);
+  ASSERT_FALSE(trail->empty());
+  EXPECT_EQ(trail->front().action, "calibration in force");
+  EXPECT_EQ(trail->front().user, "tessa");
+  EXPECT_EQ(trail->front().reason, "camera 2 was changed");
+  // A program that starts later takes it up.
+  const auto later = calibrationInForce(*archive, RigLine(3).used);
+  ASSERT_TRUE(later) << later.error().message();
+  ASSERT_TRUE(*later);
+  EXPECT_EQ((*later)->id, line.used.id);
+  EXPECT_FALSE(*calibrationInForce(*archive, RigLine(4).used)) << "of another rig";
+
+  // The exact one is kept as well and comes back.
+  ASSERT_TRUE(CalibrationHistory(*archive).add(RigLine(3).used, "tessa", "as delivered"));
+  click("Close");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->desk().all().size() == 2; }, kLong));
+  QSignalSpy compared(&page->overview(), &CalibrationOverview::compared);
+  page->overview().chooseKept(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return compared.count() > 0; }, kLong));
+  ASSERT_TRUE(page->overview().comparison()) << words().toStdString();
+  for (const Dimension d : {Dimension::RH, Dimension::HW, Dimension::FW, Dimension::WT}) {
+    const double off = page->overview().comparison()->differenceMm[index(d)];
+    EXPECT_LT(std::abs(off), 0.1) << name(d);
+    EXPECT_NE(off, 0) << name(d);
+  }
+  keep("overview-compared");
+  QSignalSpy reverted(&page->overview(), &CalibrationOverview::reverted);
+  QTest::keyClicks(named<QLineEdit>("Reason for putting it back in force"), QStringLiteral("lens was loose"));
+  click("Put the chosen calibration in force");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return reverted.count() > 0; }, kLong));
+  EXPECT_EQ(line.used.id, before) << words().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->desk().uses().size() == 2; }, kLong));
+  EXPECT_EQ(page->desk().uses().front().reason, "lens was loose");
+}
+
+TEST_F(CalibrationPageTest, AMirroredPlateIsRefusedWithItsReason) {
+  startWith(2, 1);
+  placeAsShown();
+  keep("rig-refused-mirrored");
+  EXPECT_FALSE(named<QPushButton>("Next placement")->isEnabled());
+  EXPECT_TRUE(words().contains(QStringLiteral("mirror image"))) << words().toStdString();
+}
+
+TEST_F(CalibrationPageTest, ThePlateOfAnotherCertificateIsNotPutInForce) {
+  startWith(2, 2);
+  placeAsShown();
+  if (!named<QPushButton>("Next placement")->isEnabled()) {
+    EXPECT_TRUE(words().contains(QStringLiteral("refused"))) << words().toStdString();
+    return;  // refused by its pictures already
+  }
+  click("Next placement");
+  waitForSight();
+  placeAsShown();
+  QSignalSpy solved(&wizard(), &RigWizard::solved);
+  click("Solve");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
+  keep("rig-refused-plate");
+  ASSERT_EQ(wizard().stage(), RigWizard::Stage::Compare);
+  ASSERT_TRUE(wizard().solution());
+  EXPECT_FALSE(wizard().solution()->mayBeUsed());
+  EXPECT_FALSE(named<QPushButton>("Next")->isEnabled());
+  EXPECT_TRUE(words().contains(QStringLiteral("refused"))) << words().toStdString();
+  EXPECT_EQ(line.changes, 0);
+}
+
+TEST_F(CalibrationPageTest, ASolutionThatIsCancelledChangesNothing) {
+  startWith(2);
+  placeAsShown();
+  click("Next placement");
+  waitForSight();
+  placeAsShown();
+  QSignalSpy solved(&wizard(), &RigWizard::solved);
+  click("Solve");
+  click("Cancel");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
+  EXPECT_EQ(wizard().stage(), RigWizard::Stage::Placement);
+  EXPECT_FALSE(wizard().solution());
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return words().contains(QStringLiteral("Cancelled: nothing has changed")); }, kLong))
+      << words().toStdString();
+  EXPECT_EQ(line.changes, 0);
+}
+
+TEST_F(CalibrationPageTest, WhileTheLineMeasuresTheWizardIsClosedAndOffersToStopIt) {
+  open();
+  click("Calibrate the range finders with the pin plate");
+  line.isRunning = true;
+  line.snapshot = emptySnapshot(LineState::Measuring);
+  page->showLine(line.snapshot, PullDetail::Everything);
+  EXPECT_TRUE(wizard().closedByLine());
+  keep("rig-closed");
+  EXPECT_TRUE(words().contains(QStringLiteral("Closed while the line measures")));
+  click("Stop the line");
+  EXPECT_EQ(line.stops, 1);
+  line.snapshot = emptySnapshot(LineState::Stopped);
+  page->showLine(line.snapshot, PullDetail::Everything);
+  EXPECT_FALSE(wizard().closedByLine());
+}
+
+TEST_F(CalibrationPageTest, AnOperatorSeesWhoMayCalibrate) {
+  session.leave();
+  open();
+  keep("overview-operator");
+  EXPECT_FALSE(named<QPushButton>("Calibrate the range finders with the pin plate")->isEnabled());
+  EXPECT_TRUE(words().contains(QStringLiteral("technician")));
+  session.enter(QStringLiteral("tessa"), Role::Technician);
+  EXPECT_TRUE(named<QPushButton>("Calibrate the range finders with the pin plate")->isEnabled());
+}
+
+TEST_F(CalibrationPageTest, ACameraThatHasMovedIsNamed) {
+  open();
+  auto track = std::make_shared<DriftTrack>();
+  track->baselineRails = 6;
+  track->latest.rails = 3;
+  line.snapshot.drift = track;
+  page->showLine(line.snapshot, PullDetail::Everything);
+  EXPECT_TRUE(words().contains(QStringLiteral("3 of 6 rails"))) << words().toStdString();
+  auto moved = std::make_shared<DriftTrack>(*track);
+  moved->latest.learning = false;
+  moved->latest.rails = 20;
+  for (int rail = 0; rail < 14; ++rail)
+    moved->rails.push_back({{0.001, 0.002, 0.002 * rail, 0.001}, {.012, .012, .012, .012}});
+  moved->latest.cameras[2].alarm = true;
+  moved->latest.cameras[2].valueMm = 0.026;
+  moved->latest.cameras[2].limitMm = 0.012;
+  moved->latest.cameras[2].words = "camera 3 has moved by 0.026 mm; calibrate the range finders";
+  line.snapshot.drift = moved;
+  page->showLine(line.snapshot, PullDetail::Everything);
+  keep("overview-drift");
+  EXPECT_TRUE(words().contains(QStringLiteral("camera 3 has moved"))) << words().toStdString();
+}
+
+}  // namespace
+}  // namespace vignole
