@@ -43,15 +43,15 @@ void BackgroundJob::tell(double share, std::string_view doing) {
   QMetaObject::invokeMethod(
       this,
       [this] {
-        double share = 0;
-        QString doing;
+        double latest = 0;
+        QString words;
         {
           const std::lock_guard lock(mutex_);
           told_ = true;
-          share = share_;
-          doing = doing_;
+          latest = share_;
+          words = doing_;
         }
-        if (running_) emit progressed(share, doing);
+        if (running_) emit progressed(latest, words);
       },
       Qt::QueuedConnection);
 }

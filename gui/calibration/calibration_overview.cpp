@@ -44,7 +44,16 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   wizardWords_ = makeLabel(15, 400, "t2", wizardPanel_, true);
   rigWizard_ = makeButton(place.theme, QStringLiteral("calibration"), wizardPanel_, true);
   wizardPanel_->content()->addWidget(wizardWords_);
+  lensWizard_ = makeButton(place.theme, QStringLiteral("camera"), wizardPanel_);
   wizardPanel_->content()->addWidget(rigWizard_);
+  wizardPanel_->content()->addWidget(lensWizard_);
+  reference_ = makeButton(place.theme, QStringLiteral("approve"), wizardPanel_);
+  study_ = makeButton(place.theme, QStringLiteral("charts"), wizardPanel_);
+  wizardPanel_->content()->addWidget(reference_);
+  wizardPanel_->content()->addWidget(study_);
+  connect(reference_, &QPushButton::clicked, this, &CalibrationOverview::referenceAsked);
+  connect(study_, &QPushButton::clicked, this, &CalibrationOverview::studyAsked);
+  connect(lensWizard_, &QPushButton::clicked, this, &CalibrationOverview::lensWizardAsked);
   wizardPanel_->content()->addStretch(1);
   connect(rigWizard_, &QPushButton::clicked, this, &CalibrationOverview::rigWizardAsked);
 
@@ -113,6 +122,12 @@ void CalibrationOverview::retranslate() {
   historyPanel_->setNote(tr("choose one to compare it with the one in force"));
   rigWizard_->setText(tr("Range finders…"));
   rigWizard_->setAccessibleName(tr("Calibrate the range finders with the pin plate"));
+  lensWizard_->setText(tr("Lens of a camera…"));
+  lensWizard_->setAccessibleName(tr("Calibrate the lens of a camera with the flat target"));
+  reference_->setText(tr("Reference piece…"));
+  reference_->setAccessibleName(tr("Check the calibration on a reference piece"));
+  study_->setText(tr("Parameter study…"));
+  study_->setAccessibleName(tr("Study which settings of the calibration matter"));
   history_->setHorizontalHeaderLabels({tr("Calibration"), tr("Method"), tr("Kept"), tr("By, because")});
   history_->setAccessibleName(tr("Calibrations kept"));
   dimensions_->setAccessibleName(tr("What the calibration in force is worth"));
@@ -282,7 +297,7 @@ void CalibrationOverview::showWorth() {
 
 void CalibrationOverview::showChoice() {
   const QString hindrance = desk_.hindrance();
-  rigWizard_->setEnabled(hindrance.isEmpty());
+  for (QPushButton* wizard : {rigWizard_, lensWizard_, reference_, study_}) wizard->setEnabled(hindrance.isEmpty());
   wizardWords_->setText(!hindrance.isEmpty() ? hindrance
                                              : tr("The pin plate brings the four range finders into one world. "
                                                   "Nothing is applied before old and new are compared."));

@@ -34,6 +34,9 @@ class CalibrationOverview : public QWidget {
 
  signals:
   void rigWizardAsked();
+  void lensWizardAsked();
+  void referenceAsked();
+  void studyAsked();
   void compared();
   void reverted();  ///< an answer has come, whatever it is
 
@@ -55,7 +58,7 @@ class CalibrationOverview : public QWidget {
   Panel *inForcePanel_, *worthPanel_, *historyPanel_, *wizardPanel_;
   DriftPanel* drift_;
   QLabel *name_, *age_, *facts_, *wizardWords_, *historyWords_, *resultWords_;
-  QPushButton *rigWizard_, *revert_;
+  QPushButton *rigWizard_, *lensWizard_, *reference_, *study_, *revert_;
   QTableWidget *history_, *dimensions_;
   QLineEdit* reason_;
   BackgroundJob worthJob_, compareJob_;

@@ -5,8 +5,11 @@
 #include <QVBoxLayout>
 
 #include "gui/calibration/calibration_overview.h"
+#include "gui/calibration_lens/lens_wizard.h"
 #include "gui/calibration_records/calibration_desk.h"
+#include "gui/calibration_reference/reference_panel.h"
 #include "gui/calibration_rig/rig_wizard.h"
+#include "gui/calibration_study/study_panel.h"
 
 namespace vignole {
 
@@ -16,12 +19,25 @@ CalibrationPage::CalibrationPage(Workplace& place, QWidget* parent)
   setFocusPolicy(Qt::ClickFocus);
   overview_ = new CalibrationOverview(place, *desk_, stack_);
   rigWizard_ = new RigWizard(place, *desk_, stack_);
+  lensWizard_ = new LensWizard(place, *desk_, stack_);
+  reference_ = new ReferencePanel(place, stack_);
+  study_ = new StudyPanel(place, stack_);
   stack_->addWidget(overview_);
   stack_->addWidget(rigWizard_);
+  stack_->addWidget(lensWizard_);
+  stack_->addWidget(reference_);
+  stack_->addWidget(study_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
   column->addWidget(stack_);
   connect(overview_, &CalibrationOverview::rigWizardAsked, this, &CalibrationPage::openRigWizard);
+  connect(overview_, &CalibrationOverview::lensWizardAsked, this, &CalibrationPage::openLensWizard);
+  connect(overview_, &CalibrationOverview::referenceAsked, this, &CalibrationPage::openReference);
+  connect(overview_, &CalibrationOverview::studyAsked, this, &CalibrationPage::openStudy);
+  connect(reference_, &ReferencePanel::left, this, &CalibrationPage::openOverview);
+  connect(study_, &StudyPanel::left, this, &CalibrationPage::openOverview);
+  connect(lensWizard_, &LensWizard::left, this, &CalibrationPage::openOverview);
+  connect(lensWizard_, &LensWizard::lensReady, rigWizard_, &RigWizard::setIntrinsics);
   connect(rigWizard_, &RigWizard::left, this, &CalibrationPage::openOverview);
 }
 
@@ -32,6 +48,21 @@ void CalibrationPage::openRigWizard() {
   rigWizard_->begin();
 }
 
+void CalibrationPage::openLensWizard() {
+  stack_->setCurrentWidget(lensWizard_);
+  lensWizard_->begin();
+}
+
+void CalibrationPage::openReference() {
+  stack_->setCurrentWidget(reference_);
+  reference_->begin();
+}
+
+void CalibrationPage::openStudy() {
+  stack_->setCurrentWidget(study_);
+  study_->begin();
+}
+
 void CalibrationPage::openOverview() {
   stack_->setCurrentWidget(overview_);
   overview_->refresh();
@@ -39,10 +70,12 @@ void CalibrationPage::openOverview() {
 
 void CalibrationPage::showLine(const LineSnapshot& line, PullDetail detail) {
   if (detail != PullDetail::Everything) return;
-  if (stack_->currentWidget() == overview_)
-    overview_->showLine(line);
-  else
-    rigWizard_->showLine(line);
+  if (stack_->currentWidget() == overview_) overview_->showLine(line);
+  // The wizards that need the rig close while the line measures, seen or not.
+  rigWizard_->showLine(line);
+  lensWizard_->showLine(line);
+  reference_->showLine(line);
+  study_->showLine(line);
 }
 
 void CalibrationPage::showEvent(QShowEvent* event) {
@@ -55,6 +88,9 @@ void CalibrationPage::changeEvent(QEvent* event) {
   if (event->type() != QEvent::LanguageChange) return;
   overview_->retranslate();
   rigWizard_->retranslate();
+  lensWizard_->retranslate();
+  reference_->retranslate();
+  study_->retranslate();
 }
 
 }  // namespace vignole

@@ -10,7 +10,10 @@ namespace vignole {
 
 class CalibrationDesk;
 class CalibrationOverview;
+class LensWizard;
+class ReferencePanel;
 class RigWizard;
+class StudyPanel;
 
 class CalibrationPage : public Page {
   Q_OBJECT
@@ -21,10 +24,16 @@ class CalibrationPage : public Page {
   void showLine(const LineSnapshot& line, PullDetail detail) override;
 
   void openRigWizard();
+  void openLensWizard();
+  void openReference();
+  void openStudy();
   void openOverview();
   [[nodiscard]] CalibrationDesk& desk() { return *desk_; }
   [[nodiscard]] CalibrationOverview& overview() { return *overview_; }
   [[nodiscard]] RigWizard& rigWizard() { return *rigWizard_; }
+  [[nodiscard]] LensWizard& lensWizard() { return *lensWizard_; }
+  [[nodiscard]] ReferencePanel& reference() { return *reference_; }
+  [[nodiscard]] StudyPanel& study() { return *study_; }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -36,6 +45,9 @@ class CalibrationPage : public Page {
   QStackedWidget* stack_;
   CalibrationOverview* overview_;
   RigWizard* rigWizard_;
+  LensWizard* lensWizard_;
+  ReferencePanel* reference_;
+  StudyPanel* study_;
 };
 
 }  // namespace vignole

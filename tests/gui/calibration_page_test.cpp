@@ -19,8 +19,11 @@
 #include "engine/simulator/virtual_rig.h"
 #include "gui/bridge/calibration_in_force.h"
 #include "gui/calibration/calibration_overview.h"
+#include "gui/calibration_lens/lens_wizard.h"
 #include "gui/calibration_records/calibration_desk.h"
+#include "gui/calibration_reference/reference_panel.h"
 #include "gui/calibration_rig/rig_wizard.h"
+#include "gui/calibration_study/study_panel.h"
 #include "tests/gui/made_line.h"
 
 namespace vignole {
@@ -231,6 +234,110 @@ TEST_F(CalibrationPageTest, TheRangeFindersAreCalibratedAndPutBack) {
   EXPECT_EQ(line.used.id, before) << words().toStdString();
   ASSERT_TRUE(QTest::qWaitFor([&] { return page->desk().uses().size() == 2; }, kLong));
   EXPECT_EQ(page->desk().uses().front().reason, "lens was loose");
+}
+
+TEST_F(CalibrationPageTest, ALensIsCalibratedFromPicturesAndUsedWithThePlate) {
+  open();
+  click("Calibrate the lens of a camera with the flat target");
+  LensWizard& lens = page->lensWizard();
+  keep("lens-1-prepare");
+  named<QComboBox>("Camera whose lens is calibrated")->setCurrentIndex(1);
+  named<QSpinBox>("Number of pictures")->setValue(7);
+  click("First picture");
+  const auto seen = [&] { return QTest::qWaitFor([&] { return lens.sight() && !lens.looking(); }, kLong); };
+  ASSERT_TRUE(seen());
+  for (int i = 0; i < 7; ++i) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !lens.advising(); }, kLong));
+    click("Hold as shown");
+    ASSERT_TRUE(seen());
+    ASSERT_TRUE(lens.sight()->usable()) << words().toStdString();
+    click("Take picture");
+    ASSERT_EQ(lens.taken().size(), static_cast<std::size_t>(i + 1));
+    ASSERT_TRUE(seen());
+    if (i == 0) {
+      // Not moved: the next one would be the same pose.
+      EXPECT_FALSE(named<QPushButton>("Take picture")->isEnabled());
+      EXPECT_TRUE(words().contains(QStringLiteral("pose of picture 1"))) << words().toStdString();
+      // Out of the picture: refused with its reason.
+      named<QDoubleSpinBox>("Target to the right, mm")->setValue(400);
+      ASSERT_TRUE(seen());
+      EXPECT_FALSE(named<QPushButton>("Take picture")->isEnabled());
+      EXPECT_TRUE(words().contains(QStringLiteral("refused"))) << words().toStdString();
+      keep("lens-2-refused");
+    }
+  }
+  keep("lens-3-pictures");
+  EXPECT_FALSE(lens.nextView().words.empty()) << "chosen by what is uncertain";
+  QSignalSpy solved(&lens, &LensWizard::solved);
+  click("Solve");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
+  ASSERT_EQ(lens.stage(), LensWizard::Stage::Result) << words().toStdString();
+  keep("lens-4-result");
+  ASSERT_TRUE(lens.result());
+  ASSERT_TRUE(lens.result()->accepted()) << words().toStdString();
+  const Intrinsics& truth = RigLine(3).used.rangeFinders[1].intrinsics;
+  const Intrinsics& found = lens.result()->camera.intrinsics;
+  EXPECT_NEAR(found.focalMm / found.pixelWidthMm, truth.focalMm / truth.pixelWidthMm, 6);
+  EXPECT_NEAR(found.cxPx, truth.cxPx, 5);
+  EXPECT_EQ(lens.result()->camera.serial, RigLine(3).used.rangeFinders[1].serial);
+  click("Use with the plate");
+  click("Leave");
+  click("Calibrate the range finders with the pin plate");
+  EXPECT_TRUE(words().contains(QStringLiteral("Camera 2: lens as calibrated in this session")))
+      << words().toStdString();
+}
+
+TEST_F(CalibrationPageTest, AReferencePieceTellsAGoodCalibrationFromABadOne) {
+  open();
+  click("Check the calibration on a reference piece");
+  named<QSpinBox>("Profiles that are averaged")->setValue(30);
+  QSignalSpy checked(&page->reference(), &ReferencePanel::checked);
+  click("Measure the piece");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return checked.count() == 1; }, kLong));
+  ASSERT_TRUE(page->reference().result()) << words().toStdString();
+  keep("reference-good");
+  EXPECT_GE(page->reference().result()->profiles, 25);
+  for (const ReferenceRow& row : page->reference().result()->rows) {
+    if (row.dimension == Dimension::HR) continue;
+    ASSERT_TRUE(row.measuredMm) << name(row.dimension) << row.reason;
+    EXPECT_LT(std::abs(*row.measuredMm - row.certifiedMm), 0.03) << name(row.dimension);
+  }
+  // Camera 2 has moved since: the check finds it.
+  line.used.rangeFinders[1].cameraFromWorld.translationMm += Eigen::Vector3d(0.4, 0.2, 0);
+  click("Measure the piece");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return checked.count() == 2; }, kLong));
+  ASSERT_TRUE(page->reference().result()) << words().toStdString();
+  keep("reference-bad");
+  EXPECT_FALSE(page->reference().result()->agrees());
+  EXPECT_TRUE(words().contains(QStringLiteral("does not agree"))) << words().toStdString();
+}
+
+TEST_F(CalibrationPageTest, AStudyTellsWhichSettingMatters) {
+  open();
+  click("Study which settings of the calibration matter");
+  page->study().setLevels(QStringLiteral("exposure_ms"), {});
+  page->study().setLevels(QStringLiteral("sigma_px"), QStringLiteral("1.5, 4"));
+  page->study().setLevels(QStringLiteral("max_ellipses"), QStringLiteral("13, 8"));
+  QSignalSpy studied(&page->study(), &StudyPanel::studied);
+  click("Start the study");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return studied.count() == 1; }, kLong));
+  ASSERT_TRUE(page->study().study()) << words().toStdString();
+  keep("study");
+  EXPECT_EQ(page->study().study()->design.runs.size(), 4U);
+  ASSERT_NE(page->study().study()->of(Response::Cd), nullptr);
+  // Nonsense is told, not run.
+  page->study().setLevels(QStringLiteral("sigma_px"), QStringLiteral("-2, 900"));
+  click("Start the study");
+  ASSERT_EQ(studied.count(), 2);
+  EXPECT_FALSE(page->study().study());
+  EXPECT_TRUE(words().contains(QStringLiteral("sigma_px"))) << words().toStdString();
+  // Cancelled.
+  page->study().setLevels(QStringLiteral("sigma_px"), QStringLiteral("1.5, 2, 3, 4"));
+  click("Start the study");
+  click("Cancel");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return studied.count() == 3; }, kLong));
+  EXPECT_FALSE(page->study().study());
+  EXPECT_TRUE(words().contains(QStringLiteral("Cancelled"))) << words().toStdString();
 }
 
 TEST_F(CalibrationPageTest, AMirroredPlateIsRefusedWithItsReason) {
