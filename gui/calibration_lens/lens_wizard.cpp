@@ -165,7 +165,11 @@ QWidget* LensWizard::makeResult() {
 }
 
 QWidget* LensWizard::makeFoot() {
-  auto* foot = new Panel(this);
+  auto* foot = new QFrame(this);
+  foot->setObjectName(QStringLiteral("panel"));
+  auto* content = new QVBoxLayout(foot);
+  content->setContentsMargins(16, 10, 16, 12);
+  content->setSpacing(8);
   sentence_ = makeLabel(16, 500, "t1", foot, true);
   detail_ = makeLabel(15, 400, "t2", foot, true);
   hand_ = new QWidget(foot);
@@ -180,6 +184,8 @@ QWidget* LensWizard::makeFoot() {
     box->setDecimals(length ? 0 : 1);
     box->setFont(uiFont(15));
     box->setMinimumHeight(44);
+    box->setMinimumWidth(84);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // keys, wheel, typing
     box->setKeyboardTracking(false);
     connect(box, &QDoubleSpinBox::valueChanged, this, &LensWizard::look);
     hand->addWidget(box, 1);
@@ -213,10 +219,10 @@ QWidget* LensWizard::makeFoot() {
     else if (stage_ == Stage::Pictures)
       go(Stage::Solve);
   });
-  foot->content()->addWidget(sentence_);
-  foot->content()->addWidget(detail_);
-  foot->content()->addWidget(hand_);
-  foot->content()->addLayout(row);
+  content->addWidget(sentence_);
+  content->addWidget(detail_);
+  content->addWidget(hand_);
+  content->addLayout(row);
   return foot;
 }
 

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <algorithm>
 
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
@@ -11,7 +12,8 @@ namespace vignole {
 
 namespace {
 enum Column { kName, kInForce, kNew, kAllowed, kLargest, kColumns };
-constexpr std::array<double, kColumns> kShares = {0.19, 0.16, 0.16, 0.17, 0.32};
+constexpr std::array<double, kColumns> kShares = {0.20, 0.15, 0.15, 0.15, 0.35};
+constexpr std::array<int, kColumns> kLeast = {92, 68, 68, 72, 0};
 }  // namespace
 
 QIcon stateIcon(StateSymbol symbol, const Palette& palette) {
@@ -61,13 +63,14 @@ void WorthTable::fill() {
     const auto put = [&](int column, const QString& text, Qt::Alignment alignment) {
       auto* item = new QTableWidgetItem(text);
       item->setTextAlignment(alignment | Qt::AlignVCenter);
+      item->setToolTip(text);
       if (bad) item->setBackground(p.nearSoft);
       setItem(row, column, item);
       return item;
     };
     auto* name = put(kName, spoken(w.dimension), Qt::AlignLeft);
     name->setIcon(stateIcon(!w.allowedMm ? StateSymbol::NoLimit : bad ? StateSymbol::Near : StateSymbol::Good, p));
-    name->setToolTip(bad ? tr("More than the tolerance allows") : QString());
+    if (bad) name->setToolTip(tr("More than the tolerance allows"));
     put(kInForce, lengthText(w.inForceMm, units_), Qt::AlignRight);
     put(kNew, lengthText(w.newMm, units_), Qt::AlignRight)->setFont(uiFont(16, 700));
     put(kAllowed, lengthText(w.allowedMm, units_), Qt::AlignRight);
@@ -79,7 +82,8 @@ void WorthTable::fill() {
 void WorthTable::resizeEvent(QResizeEvent* event) {
   QTableWidget::resizeEvent(event);
   for (int column = 0; column + 1 < kColumns; ++column)
-    setColumnWidth(column, static_cast<int>(viewport()->width() * kShares[static_cast<std::size_t>(column)]));
+    setColumnWidth(column, std::max(kLeast[static_cast<std::size_t>(column)],
+                                    static_cast<int>(viewport()->width() * kShares[static_cast<std::size_t>(column)])));
 }
 
 }  // namespace vignole

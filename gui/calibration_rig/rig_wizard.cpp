@@ -207,7 +207,11 @@ QWidget* RigWizard::makeApply() {
 }
 
 QWidget* RigWizard::makeFoot() {
-  auto* foot = new Panel(this);
+  auto* foot = new QFrame(this);
+  foot->setObjectName(QStringLiteral("panel"));
+  auto* content = new QVBoxLayout(foot);
+  content->setContentsMargins(16, 10, 16, 12);
+  content->setSpacing(8);
   sentence_ = makeLabel(16, 500, "t1", foot, true);
   detail_ = makeLabel(15, 400, "t2", foot, true);
   hand_ = new QWidget(foot);
@@ -223,6 +227,8 @@ QWidget* RigWizard::makeFoot() {
     box->setDecimals(1);
     box->setFont(uiFont(15));
     box->setMinimumHeight(44);
+    box->setMinimumWidth(84);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // keys, wheel, typing
     box->setKeyboardTracking(false);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this] { look(); });
     hand->addWidget(box, 1);
@@ -255,16 +261,16 @@ QWidget* RigWizard::makeFoot() {
     ++take_;
     look();
   });
-  foot->content()->addWidget(sentence_);
-  foot->content()->addWidget(detail_);
-  foot->content()->addWidget(hand_);
-  foot->content()->addLayout(row);
+  content->addWidget(sentence_);
+  content->addWidget(detail_);
+  content->addWidget(hand_);
+  content->addLayout(row);
   return foot;
 }
 
 QWidget* RigWizard::makeRight() {
   auto* right = new QWidget(this);
-  right->setMinimumWidth(400);
+  right->setMinimumWidth(380);
   worthPanel_ = new Panel(right);
   worth_ = new WorthTable(place_.theme, place_.units, worthPanel_);
   worthPanel_->content()->addWidget(worth_, 1);
@@ -447,8 +453,17 @@ void RigWizard::go(int step) {
   step_ = step;
   centre_->setCurrentIndex(static_cast<int>(stage()));
   showAll();
-  if (stage() == Stage::Placement) look();
-  if (stage() == Stage::Solve) solve();
+  if (stage() == Stage::Placement) {
+    asShown_->setFocus();
+    look();
+  } else if (stage() == Stage::Solve) {
+    cancel_->setFocus();
+    solve();
+  } else if (stage() == Stage::Apply) {
+    reason_->setFocus();
+  } else {
+    next_->setFocus();
+  }
 }
 
 void RigWizard::next() {
@@ -760,7 +775,7 @@ void RigWizard::showSentence() {
         mayGo = false;
         detail = moveWords();
       } else {
-        detail = tr("All four cameras see the plate where it must lie. Next: %1.").arg(word);
+        detail = tr("All four cameras see the plate where it must lie. Next: “%1”.").arg(word);
       }
       if (!result_.isEmpty()) headline = result_ + QLatin1Char(' ') + headline;
       break;

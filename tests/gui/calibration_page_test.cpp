@@ -275,7 +275,7 @@ TEST_F(CalibrationPageTest, ALensIsCalibratedFromPicturesAndUsedWithThePlate) {
   keep("lens-4-result");
   ASSERT_TRUE(lens.result());
   ASSERT_TRUE(lens.result()->accepted()) << words().toStdString();
-  const Intrinsics& truth = RigLine(3).used.rangeFinders[1].intrinsics;
+  const Intrinsics truth = RigLine(3).used.rangeFinders[1].intrinsics;
   const Intrinsics& found = lens.result()->camera.intrinsics;
   EXPECT_NEAR(found.focalMm / found.pixelWidthMm, truth.focalMm / truth.pixelWidthMm, 6);
   EXPECT_NEAR(found.cxPx, truth.cxPx, 5);
