@@ -1,7 +1,7 @@
 #include "gui/calibration/calibration_overview.h"
 
+#include <QBoxLayout>
 #include <QDateTime>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -62,6 +62,7 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   styleTable(*dimensions_);
   dimensions_->setSelectionMode(QAbstractItemView::NoSelection);
   dimensions_->setIconSize({16, 16});
+  dimensions_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   dimensions_->verticalHeader()->setMinimumSectionSize(20);
   dimensions_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   worthPanel_->content()->addWidget(dimensions_, 1);
@@ -72,6 +73,9 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   styleTable(*history_);
   history_->setIconSize({16, 16});
   history_->verticalHeader()->setDefaultSectionSize(36);
+  for (const int column : {0, 3}) history_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+  for (const int column : {1, 2})
+    history_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   reason_ = new QLineEdit(historyPanel_);
   reason_->setFont(uiFont(16));
   revert_ = makeButton(place.theme, QStringLiteral("revert"), historyPanel_);
@@ -89,19 +93,19 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
 
   drift_ = new DriftPanel(place.theme, place.units, this);
 
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(12);
-  grid->addWidget(inForcePanel_, 0, 0);
-  grid->addWidget(wizardPanel_, 1, 0);
-  grid->addWidget(worthPanel_, 0, 1, 2, 1);
-  grid->addWidget(historyPanel_, 0, 2);
-  grid->addWidget(drift_, 1, 2);
-  grid->setColumnStretch(0, 4);
-  grid->setColumnStretch(1, 6);
-  grid->setColumnStretch(2, 6);
-  grid->setRowStretch(0, 5);
-  grid->setRowStretch(1, 6);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(12);
+  const auto stacked = [columns](QWidget* upper, int upperShare, QWidget* lower, int lowerShare, int share) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(12);
+    column->addWidget(upper, upperShare);
+    column->addWidget(lower, lowerShare);
+    columns->addLayout(column, share);
+  };
+  stacked(inForcePanel_, 4, wizardPanel_, 5, 4);
+  columns->addWidget(worthPanel_, 5);
+  stacked(historyPanel_, 4, drift_, 6, 7);
   connect(&desk_, &CalibrationDesk::changed, this, &CalibrationOverview::showHistory);
   connect(&place_.session, &Session::changed, this, &CalibrationOverview::showChoice);
   connect(&place_.units, &Units::changed, this, &CalibrationOverview::showWorth);
@@ -168,7 +172,8 @@ void CalibrationOverview::showInForce() {
   else
     age_->setText(tr("No interval is set."));
   facts_->setText(tr("Method: %1\nMade: %2\nPlate: %3\nCameras: %4")
-                      .arg(shown(c.method), c.created.empty() ? QStringLiteral("–") : shown(c.created),
+                      .arg(shown(c.method),
+                           c.created.empty() || c.created.starts_with("1970") ? QStringLiteral("–") : shown(c.created),
                            c.plate.empty() ? tr("none") : shown(c.plate),
                            shown(c.rangeFinders[0].serial + ", " + c.rangeFinders[1].serial + ", " +
                                  c.rangeFinders[2].serial + ", " + c.rangeFinders[3].serial)));
@@ -213,10 +218,6 @@ void CalibrationOverview::showHistory() {
     const bool used = use != desk_.uses().end();
     put(3, used ? shown(use->user + ": " + use->reason) : shown(kept.entry.storedBy + ": " + kept.entry.reason));
   }
-  const int wide = history_->viewport()->width();
-  history_->setColumnWidth(0, wide * 38 / 100);
-  history_->setColumnWidth(1, wide * 17 / 100);
-  history_->setColumnWidth(2, wide * 19 / 100);
   showInForce();
   showChoice();
 }
@@ -265,8 +266,9 @@ void CalibrationOverview::showWorth() {
   dimensions_->setHorizontalHeaderLabels(heads);
   for (int c = 1; c < dimensions_->columnCount(); ++c)
     dimensions_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  worthPanel_->setNote(two ? tr("U (k = 2), and what the chosen one measures more, in %1").arg(place_.units.name())
-                           : tr("U (k = 2) by the calibration alone, in %1").arg(place_.units.name()));
+  worthPanel_->setNote(tr("U (k = 2) in %1").arg(place_.units.name()));
+  worthPanel_->setToolTip(two ? tr("Difference: what the chosen one measures more than the one in force")
+                              : tr("By the calibration alone, without the noise of the profiles"));
   dimensions_->setRowCount(static_cast<int>(worth_.size()));
   for (int row = 0; row < dimensions_->rowCount(); ++row) {
     const DimensionWorth& w = worth_[static_cast<std::size_t>(row)];
@@ -298,9 +300,7 @@ void CalibrationOverview::showWorth() {
 void CalibrationOverview::showChoice() {
   const QString hindrance = desk_.hindrance();
   for (QPushButton* wizard : {rigWizard_, lensWizard_, reference_, study_}) wizard->setEnabled(hindrance.isEmpty());
-  wizardWords_->setText(!hindrance.isEmpty() ? hindrance
-                                             : tr("The pin plate brings the four range finders into one world. "
-                                                  "Nothing is applied before old and new are compared."));
+  wizardWords_->setText(!hindrance.isEmpty() ? hindrance : tr("Nothing is applied before old and new are compared."));
   const int row = chosen();
   const KeptCalibration* kept = row < 0 ? nullptr : &desk_.all()[static_cast<std::size_t>(row)];
   const bool now = kept != nullptr && kept->entry.id == place_.line.calibration().id;

@@ -18,10 +18,13 @@ DriftPanel::DriftPanel(const Theme& theme, const Units& units, QWidget* parent)
   styleTable(*cameras_);
   cameras_->setSelectionMode(QAbstractItemView::NoSelection);
   cameras_->setIconSize({16, 16});
-  cameras_->verticalHeader()->setDefaultSectionSize(26);
-  cameras_->setFixedHeight(4 * 26 + 36);
+  cameras_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  cameras_->verticalHeader()->setMinimumSectionSize(24);
+  cameras_->verticalHeader()->setDefaultSectionSize(24);
+  cameras_->setFixedHeight(4 * 24 + 36);
   content()->addWidget(words_);
-  content()->addWidget(plot_, 1);
+  content()->addWidget(plot_, 100);
+  content()->addStretch(1);
   content()->addWidget(cameras_);
   connect(&theme_, &Theme::changed, this, &DriftPanel::fill);
   connect(&units_, &Units::changed, this, &DriftPanel::fill);

@@ -118,6 +118,21 @@ Expected<NextView> mostTelling(const std::vector<TargetView>& taken, const Plana
   if (job.cancelled()) return cancelledError();
   const auto next = nextPose(*calibration, target, *worth);
   if (!next) return tl::unexpected<Error>(next.error());
+  // The same pose once more may tell most by its noise alone, but a picture of it would be refused.
+  const std::vector<Point2> points = target.points();
+  const auto camera = vignole::lens(lens);
+  for (const TargetView& view : taken) {
+    double sum = 0;
+    for (const FoundPoint& p : view.points) {
+      const Point2& at = points[static_cast<std::size_t>(p.index)];
+      sum += (project<double>(camera, next->cameraFromTarget.rotation, next->cameraFromTarget.translationMm,
+                              {at.x(), at.y(), 0}) -
+              p.px)
+                 .squaredNorm();
+    }
+    if (std::sqrt(sum / static_cast<double>(view.points.size())) < 3 * kSamePosePx)
+      return startingView(target, lens, static_cast<int>(taken.size()));
+  }
   return NextView{poseOf(next->cameraFromTarget, target), next->outlinePx, next->words};
 }
 

@@ -65,6 +65,7 @@ LensWizard::LensWizard(Workplace& place, CalibrationDesk& desk, QWidget* parent)
   countWord_ = makeLabel(16, 400, "t2", preparePanel_, true);
   count_ = new QSpinBox(preparePanel_);
   count_->setRange(5, 40);
+  count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   count_->setValue(12);
   for (QWidget* w : std::initializer_list<QWidget*>{camera_, count_}) {
     w->setFont(uiFont(16));
@@ -131,6 +132,7 @@ QWidget* LensWizard::makePictures() {
   viewPanel_ = new Panel(page);
   viewWords_ = makeLabel(14, 400, "t2", viewPanel_, true);
   views_ = makeTable(4, viewPanel_);
+  views_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   viewPanel_->content()->addWidget(viewWords_);
   viewPanel_->content()->addWidget(views_, 1);
   auto* row = new QHBoxLayout(page);
@@ -146,6 +148,7 @@ QWidget* LensWizard::makeResult() {
   tablePanel_ = new Panel(page);
   verdict_ = makeLabel(16, 500, "t1", tablePanel_, true);
   table_ = makeTable(5, tablePanel_);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   tablePanel_->content()->addWidget(verdict_);
   tablePanel_->content()->addWidget(table_, 1);
   mapPanel_ = new Panel(page);
@@ -346,8 +349,15 @@ void LensWizard::go(Stage stage) {
     setPose(kAtFirst);
   }
   showAll();
-  if (stage == Stage::Pictures) look();
-  if (stage == Stage::Solve) solve();
+  if (stage == Stage::Pictures) {
+    asShown_->setFocus();
+    look();
+  } else if (stage == Stage::Solve) {
+    cancel_->setFocus();
+    solve();
+  } else if (stage == Stage::Result) {
+    use_->setFocus();
+  }
 }
 
 TargetPose LensWizard::handPose() const {
@@ -491,7 +501,6 @@ void LensWizard::showAll() {
                              numberText(v.blurPx, 1) + QStringLiteral(" px")};
     for (int column = 0; column < 4; ++column) views_->setItem(row, column, new QTableWidgetItem(cells[column]));
   }
-  for (int column = 0; column < 3; ++column) views_->setColumnWidth(column, 70);
   showSentence();
 }
 
@@ -524,7 +533,6 @@ void LensWizard::showResult() {
     put(3, numberText(v.heldOutRmsPx, 3), true);
     put(4, numberText(v.intrinsics.focalMm, 3), true);
   }
-  for (int column = 0; column < 4; ++column) table_->setColumnWidth(column, column == 0 ? 260 : 150);
   auto maps = lensMaps(c);
   seen_->show(std::move(maps.plots[0]));
   residuals_->show(std::move(maps.plots[1]));

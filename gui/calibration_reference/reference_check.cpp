@@ -113,7 +113,9 @@ Expected<ReferenceResult> checkVirtualReference(const ReferenceSettings& setting
     } else {
       const double n = s.count, mean = s.sum / n, variance = std::max(0.0, (s.squares - n * mean * mean) / (n - 1));
       row.measuredMm = mean;
-      row.uMeasuredMm = std::hypot(std::sqrt(variance / n), byCalibration ? (*byCalibration)[index(d)] : 0.0);
+      // HF is an extreme: the noise of its profiles pushes it outwards and does not average out.
+      const double averaged = d == Dimension::HF ? 1 : n;
+      row.uMeasuredMm = std::hypot(std::sqrt(variance / averaged), byCalibration ? (*byCalibration)[index(d)] : 0.0);
     }
     result.rows.push_back(std::move(row));
   }

@@ -26,6 +26,7 @@ ReferencePanel::ReferencePanel(Workplace& place, QWidget* parent) : QWidget(pare
   count_->setValue(60);
   count_->setFont(uiFont(16));
   count_->setMinimumHeight(44);
+  count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   start_ = makeButton(place.theme, QStringLiteral("play"), panel_, true);
   cancel_ = makeButton(place.theme, QStringLiteral("reject"), panel_);
   stopLine_ = makeButton(place.theme, QStringLiteral("pause"), panel_, true);
@@ -41,6 +42,7 @@ ReferencePanel::ReferencePanel(Workplace& place, QWidget* parent) : QWidget(pare
   sentence_ = makeLabel(18, 500, "t1", tablePanel_, true);
   table_ = new QTableWidget(0, 6, tablePanel_);
   styleTable(*table_);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setIconSize({16, 16});
   table_->verticalHeader()->setMinimumSectionSize(24);
@@ -191,7 +193,6 @@ void ReferencePanel::showAll() {
     put(4, lengthText(2 * std::hypot(r.uMeasuredMm, r.uCertifiedMm), place_.units, decimals), true);
     put(5, numberText(*r.normalisedError(), 2), true);
   }
-  for (int c = 0; c < 5; ++c) table_->setColumnWidth(c, table_->viewport()->width() / 6);
 }
 
 }  // namespace vignole

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kCertifiedUMm = 0.0015;
-constexpr double kWrongPlateMm = 1.2;  // another plate of the same drawing, worn or bent
+constexpr double kWrongPlateMm = 0.3;  // another plate of the same drawing
 constexpr std::uint64_t kPlateSeed = 13;
 constexpr int kMissingPin = 4;
 

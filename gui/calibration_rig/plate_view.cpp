@@ -124,7 +124,7 @@ void PlateView::paintArcs(QPainter& painter, const PinPicture& lines) const {
     painter.setPen(good ? kText : kMark);
     if (good)
       painter.drawText(at, QString::number(arc.pin));
-    else if (arc.points.size() > 20)  // bits of stray light have no words of their own
+    else if (lines.usable() && arc.points.size() > 20)  // bits of stray light have no words of their own
       painter.drawText(at, arc.usable() ? tr("no pin here") : shown(arc.reason));
   }
   const auto& missing = sight_->missing[static_cast<std::size_t>(camera_)];

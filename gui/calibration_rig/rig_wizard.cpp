@@ -95,7 +95,7 @@ RigWizard::~RigWizard() = default;
 
 QWidget* RigWizard::makeSteps() {
   stepPanel_ = new Panel(this);
-  stepPanel_->setMinimumWidth(230);
+  stepPanel_->setMinimumWidth(212);
   steps_ = new StepList(place_.theme, stepPanel_);
   plateTitle_ = makeLabel(16, 500, "t1", stepPanel_, true);
   plateNote_ = makeLabel(14, 400, "t2", stepPanel_, true);
@@ -114,6 +114,7 @@ QWidget* RigWizard::makePrepare() {
   countWord_ = makeLabel(16, 400, "t2", platePanel_, true);
   count_ = new QSpinBox(platePanel_);
   count_->setRange(2, 8);
+  count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   count_->setValue(4);
   faultWord_ = makeLabel(16, 400, "t2", platePanel_, true);
   fault_ = new QComboBox(platePanel_);
@@ -170,15 +171,17 @@ QWidget* RigWizard::makeCompare() {
   figurePanel_->content()->addWidget(figure_, 1);
   checkPanel_ = new Panel(page);
   checks_ = makeTable(4, checkPanel_);
+  checks_->setFont(uiFont(15));
+  for (int c = 0; c < 3; ++c) checks_->horizontalHeader()->setSectionResizeMode(c, QHeaderView::ResizeToContents);
   report_ = makeButton(place_.theme, QStringLiteral("report"), checkPanel_);
   checkPanel_->head()->addWidget(report_);
   checkPanel_->content()->addWidget(checks_, 1);
   connect(report_, &QPushButton::clicked, this, &RigWizard::saveReport);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(12);
-  column->addWidget(figurePanel_, 3);
-  column->addWidget(checkPanel_, 2);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(12);
+  row->addWidget(figurePanel_, 1);
+  row->addWidget(checkPanel_, 1);
   return page;
 }
 
@@ -188,6 +191,7 @@ QWidget* RigWizard::makeApply() {
   intervalWord_ = makeLabel(16, 400, "t2", applyPanel_, true);
   interval_ = new QSpinBox(applyPanel_);
   interval_->setRange(0, 3650);
+  interval_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   interval_->setValue(90);
   interval_->setFont(uiFont(16));
   interval_->setMinimumHeight(44);
@@ -270,7 +274,7 @@ QWidget* RigWizard::makeFoot() {
 
 QWidget* RigWizard::makeRight() {
   auto* right = new QWidget(this);
-  right->setMinimumWidth(380);
+  right->setMinimumWidth(416);
   worthPanel_ = new Panel(right);
   worth_ = new WorthTable(place_.theme, place_.units, worthPanel_);
   worthPanel_->content()->addWidget(worth_, 1);
@@ -278,6 +282,9 @@ QWidget* RigWizard::makeRight() {
   fit_ = makeTable(4, fitPanel_);
   fit_->verticalHeader()->setMinimumSectionSize(22);
   fit_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  fit_->setFont(uiFont(15));
+  for (int c = 0; c < 4; ++c)
+    fit_->horizontalHeader()->setSectionResizeMode(c, c == 0 ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
   fitPanel_->content()->addWidget(fit_, 1);
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
@@ -311,7 +318,7 @@ void RigWizard::retranslate() {
   fitPanel_->setTitle(tr("Fit to the pins"));
   platePanel_->setTitle(tr("Prepare"));
   solvePanel_->setTitle(tr("Solve"));
-  figurePanel_->setTitle(tr("Pins in the world (Fig. 8d)"));
+  figurePanel_->setTitle(tr("Pins found (Fig. 8d)"));
   figurePanel_->setNote(tr("circles: the pins as found; points: the lines of the first placement"));
   figure_->setAccessibleName(tr("Pins in the world"));
   checkPanel_->setTitle(tr("Checks"));
@@ -709,9 +716,6 @@ void RigWizard::showChecks() {
         check.done ? QString::number(check.value, 'g', 3) + QLatin1Char(' ') + shown(check.unit) : QStringLiteral("–"),
         QString::number(check.limit, 'g', 3), shown(check.words));
   }
-  checks_->setColumnWidth(0, 190);
-  checks_->setColumnWidth(1, 110);
-  checks_->setColumnWidth(2, 80);
 }
 
 QString RigWizard::moveWords() const {

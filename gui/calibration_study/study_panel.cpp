@@ -60,6 +60,7 @@ StudyPanel::StudyPanel(Workplace& place, QWidget* parent) : QWidget(parent), pla
   count_->setValue(2);
   count_->setFont(uiFont(16));
   count_->setMinimumHeight(44);
+  count_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   start_ = makeButton(place.theme, QStringLiteral("play"), panel_, true);
   stopLine_ = makeButton(place.theme, QStringLiteral("pause"), panel_, true);
   cancel_ = makeButton(place.theme, QStringLiteral("reject"), panel_);
@@ -89,6 +90,7 @@ StudyPanel::StudyPanel(Workplace& place, QWidget* parent) : QWidget(parent), pla
   resultPanel_->content()->addLayout(plots, 3);
   influence_ = new QTableWidget(0, 1, resultPanel_);
   styleTable(*influence_);
+  influence_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   influence_->setSelectionMode(QAbstractItemView::NoSelection);
   influence_->verticalHeader()->setDefaultSectionSize(28);
   resultPanel_->content()->addWidget(influence_, 2);
@@ -284,8 +286,6 @@ void StudyPanel::showAll() {
             if (static_cast<std::size_t>(c) < cells.size())
               influence_->setItem(r, c, new QTableWidgetItem(shown(cells[static_cast<std::size_t>(c)])));
           }
-        for (int c = 0; c + 1 < influence_->columnCount(); ++c)
-          influence_->setColumnWidth(c, influence_->viewport()->width() / influence_->columnCount());
       }
     }
   }

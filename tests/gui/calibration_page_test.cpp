@@ -246,8 +246,10 @@ TEST_F(CalibrationPageTest, ALensIsCalibratedFromPicturesAndUsedWithThePlate) {
   click("First picture");
   const auto seen = [&] { return QTest::qWaitFor([&] { return lens.sight() && !lens.looking(); }, kLong); };
   ASSERT_TRUE(seen());
+  bool advised = false;
   for (int i = 0; i < 7; ++i) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !lens.advising(); }, kLong));
+    advised = advised || !lens.nextView().words.empty();
     click("Hold as shown");
     ASSERT_TRUE(seen());
     ASSERT_TRUE(lens.sight()->usable()) << words().toStdString();
@@ -267,7 +269,7 @@ TEST_F(CalibrationPageTest, ALensIsCalibratedFromPicturesAndUsedWithThePlate) {
     }
   }
   keep("lens-3-pictures");
-  EXPECT_FALSE(lens.nextView().words.empty()) << "chosen by what is uncertain";
+  EXPECT_TRUE(advised) << "no pose was chosen by what is uncertain";
   QSignalSpy solved(&lens, &LensWizard::solved);
   click("Solve");
   ASSERT_TRUE(QTest::qWaitFor([&] { return solved.count() > 0; }, kLong));
@@ -297,6 +299,7 @@ TEST_F(CalibrationPageTest, AReferencePieceTellsAGoodCalibrationFromABadOne) {
   ASSERT_TRUE(page->reference().result()) << words().toStdString();
   keep("reference-good");
   EXPECT_GE(page->reference().result()->profiles, 25);
+  EXPECT_TRUE(page->reference().result()->agrees());
   for (const ReferenceRow& row : page->reference().result()->rows) {
     if (row.dimension == Dimension::HR) continue;
     ASSERT_TRUE(row.measuredMm) << name(row.dimension) << row.reason;
@@ -330,7 +333,7 @@ TEST_F(CalibrationPageTest, AStudyTellsWhichSettingMatters) {
   click("Start the study");
   ASSERT_EQ(studied.count(), 2);
   EXPECT_FALSE(page->study().study());
-  EXPECT_TRUE(words().contains(QStringLiteral("sigma_px"))) << words().toStdString();
+  EXPECT_TRUE(words().contains(QStringLiteral("is -2"))) << words().toStdString();
   // Cancelled.
   page->study().setLevels(QStringLiteral("sigma_px"), QStringLiteral("1.5, 2, 3, 4"));
   click("Start the study");
@@ -351,10 +354,6 @@ TEST_F(CalibrationPageTest, AMirroredPlateIsRefusedWithItsReason) {
 TEST_F(CalibrationPageTest, ThePlateOfAnotherCertificateIsNotPutInForce) {
   startWith(2, 2);
   placeAsShown();
-  if (!named<QPushButton>("Next placement")->isEnabled()) {
-    EXPECT_TRUE(words().contains(QStringLiteral("refused"))) << words().toStdString();
-    return;  // refused by its pictures already
-  }
   click("Next placement");
   waitForSight();
   placeAsShown();
