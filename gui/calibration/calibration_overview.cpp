@@ -47,6 +47,9 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   lensWizard_ = makeButton(place.theme, QStringLiteral("camera"), wizardPanel_);
   wizardPanel_->content()->addWidget(rigWizard_);
   wizardPanel_->content()->addWidget(lensWizard_);
+  encoder_ = makeButton(place.theme, QStringLiteral("rails"), wizardPanel_);
+  wizardPanel_->content()->addWidget(encoder_);
+  connect(encoder_, &QPushButton::clicked, this, &CalibrationOverview::encoderAsked);
   reference_ = makeButton(place.theme, QStringLiteral("approve"), wizardPanel_);
   study_ = makeButton(place.theme, QStringLiteral("charts"), wizardPanel_);
   wizardPanel_->content()->addWidget(reference_);
@@ -72,6 +75,8 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   history_ = new QTableWidget(0, 4, historyPanel_);
   styleTable(*history_);
   history_->setIconSize({16, 16});
+  history_->setMinimumHeight(76);
+  history_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   history_->verticalHeader()->setDefaultSectionSize(36);
   for (const int column : {0, 3}) history_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
   for (const int column : {1, 2})
@@ -105,7 +110,7 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   };
   stacked(inForcePanel_, 4, wizardPanel_, 5, 4);
   columns->addWidget(worthPanel_, 5);
-  stacked(historyPanel_, 4, drift_, 6, 7);
+  stacked(historyPanel_, 2, drift_, 4, 7);
   connect(&desk_, &CalibrationDesk::changed, this, &CalibrationOverview::showHistory);
   connect(&place_.session, &Session::changed, this, &CalibrationOverview::showChoice);
   connect(&place_.units, &Units::changed, this, &CalibrationOverview::showWorth);
@@ -128,6 +133,8 @@ void CalibrationOverview::retranslate() {
   rigWizard_->setAccessibleName(tr("Calibrate the range finders with the pin plate"));
   lensWizard_->setText(tr("Lens of a camera…"));
   lensWizard_->setAccessibleName(tr("Calibrate the lens of a camera with the flat target"));
+  encoder_->setText(tr("Encoder…"));
+  encoder_->setAccessibleName(tr("Calibrate the encoder over a known length"));
   reference_->setText(tr("Reference piece…"));
   reference_->setAccessibleName(tr("Check the calibration on a reference piece"));
   study_->setText(tr("Parameter study…"));
@@ -299,7 +306,8 @@ void CalibrationOverview::showWorth() {
 
 void CalibrationOverview::showChoice() {
   const QString hindrance = desk_.hindrance();
-  for (QPushButton* wizard : {rigWizard_, lensWizard_, reference_, study_}) wizard->setEnabled(hindrance.isEmpty());
+  for (QPushButton* wizard : {rigWizard_, lensWizard_, encoder_, reference_, study_})
+    wizard->setEnabled(hindrance.isEmpty());
   wizardWords_->setText(!hindrance.isEmpty() ? hindrance : tr("Nothing is applied before old and new are compared."));
   const int row = chosen();
   const KeptCalibration* kept = row < 0 ? nullptr : &desk_.all()[static_cast<std::size_t>(row)];

@@ -35,6 +35,7 @@ class CalibrationOverview : public QWidget {
  signals:
   void rigWizardAsked();
   void lensWizardAsked();
+  void encoderAsked();
   void referenceAsked();
   void studyAsked();
   void compared();
@@ -58,7 +59,7 @@ class CalibrationOverview : public QWidget {
   Panel *inForcePanel_, *worthPanel_, *historyPanel_, *wizardPanel_;
   DriftPanel* drift_;
   QLabel *name_, *age_, *facts_, *wizardWords_, *historyWords_, *resultWords_;
-  QPushButton *rigWizard_, *lensWizard_, *reference_, *study_, *revert_;
+  QPushButton *rigWizard_, *lensWizard_, *encoder_, *reference_, *study_, *revert_;
   QTableWidget *history_, *dimensions_;
   QLineEdit* reason_;
   BackgroundJob worthJob_, compareJob_;

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "gui/calibration/calibration_overview.h"
+#include "gui/calibration_encoder/encoder_panel.h"
 #include "gui/calibration_lens/lens_wizard.h"
 #include "gui/calibration_records/calibration_desk.h"
 #include "gui/calibration_reference/reference_panel.h"
@@ -20,11 +21,13 @@ CalibrationPage::CalibrationPage(Workplace& place, QWidget* parent)
   overview_ = new CalibrationOverview(place, *desk_, stack_);
   rigWizard_ = new RigWizard(place, *desk_, stack_);
   lensWizard_ = new LensWizard(place, *desk_, stack_);
+  encoder_ = new EncoderPanel(place, stack_);
   reference_ = new ReferencePanel(place, stack_);
   study_ = new StudyPanel(place, stack_);
   stack_->addWidget(overview_);
   stack_->addWidget(rigWizard_);
   stack_->addWidget(lensWizard_);
+  stack_->addWidget(encoder_);
   stack_->addWidget(reference_);
   stack_->addWidget(study_);
   auto* column = new QVBoxLayout(this);
@@ -34,6 +37,8 @@ CalibrationPage::CalibrationPage(Workplace& place, QWidget* parent)
   connect(overview_, &CalibrationOverview::lensWizardAsked, this, &CalibrationPage::openLensWizard);
   connect(overview_, &CalibrationOverview::referenceAsked, this, &CalibrationPage::openReference);
   connect(overview_, &CalibrationOverview::studyAsked, this, &CalibrationPage::openStudy);
+  connect(overview_, &CalibrationOverview::encoderAsked, this, &CalibrationPage::openEncoder);
+  connect(encoder_, &EncoderPanel::left, this, &CalibrationPage::openOverview);
   connect(reference_, &ReferencePanel::left, this, &CalibrationPage::openOverview);
   connect(study_, &StudyPanel::left, this, &CalibrationPage::openOverview);
   connect(lensWizard_, &LensWizard::left, this, &CalibrationPage::openOverview);
@@ -51,6 +56,11 @@ void CalibrationPage::openRigWizard() {
 void CalibrationPage::openLensWizard() {
   stack_->setCurrentWidget(lensWizard_);
   lensWizard_->begin();
+}
+
+void CalibrationPage::openEncoder() {
+  stack_->setCurrentWidget(encoder_);
+  encoder_->begin();
 }
 
 void CalibrationPage::openReference() {
@@ -74,6 +84,7 @@ void CalibrationPage::showLine(const LineSnapshot& line, PullDetail detail) {
   // The wizards that need the rig close while the line measures, seen or not.
   rigWizard_->showLine(line);
   lensWizard_->showLine(line);
+  encoder_->showLine(line);
   reference_->showLine(line);
   study_->showLine(line);
 }
@@ -89,6 +100,7 @@ void CalibrationPage::changeEvent(QEvent* event) {
   overview_->retranslate();
   rigWizard_->retranslate();
   lensWizard_->retranslate();
+  encoder_->retranslate();
   reference_->retranslate();
   study_->retranslate();
 }

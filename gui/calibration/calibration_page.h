@@ -10,6 +10,7 @@ namespace vignole {
 
 class CalibrationDesk;
 class CalibrationOverview;
+class EncoderPanel;
 class LensWizard;
 class ReferencePanel;
 class RigWizard;
@@ -25,6 +26,7 @@ class CalibrationPage : public Page {
 
   void openRigWizard();
   void openLensWizard();
+  void openEncoder();
   void openReference();
   void openStudy();
   void openOverview();
@@ -32,6 +34,7 @@ class CalibrationPage : public Page {
   [[nodiscard]] CalibrationOverview& overview() { return *overview_; }
   [[nodiscard]] RigWizard& rigWizard() { return *rigWizard_; }
   [[nodiscard]] LensWizard& lensWizard() { return *lensWizard_; }
+  [[nodiscard]] EncoderPanel& encoder() { return *encoder_; }
   [[nodiscard]] ReferencePanel& reference() { return *reference_; }
   [[nodiscard]] StudyPanel& study() { return *study_; }
 
@@ -46,6 +49,7 @@ class CalibrationPage : public Page {
   CalibrationOverview* overview_;
   RigWizard* rigWizard_;
   LensWizard* lensWizard_;
+  EncoderPanel* encoder_;
   ReferencePanel* reference_;
   StudyPanel* study_;
 };

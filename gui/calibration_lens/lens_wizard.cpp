@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "calibration/lens_files/lens_files.h"
@@ -412,6 +413,7 @@ void LensWizard::take() {
   pictures_.push_back(sight_);
   ++shots_;
   sight_.reset();
+  asShown_->setFocus();
   next_ = startingView(stand_.target, rough_, static_cast<int>(taken_.size()));
   if (static_cast<int>(taken_.size()) >= kFewestForAdvice && static_cast<int>(taken_.size()) < count_->value())
     advise();
@@ -515,9 +517,12 @@ void LensWizard::showResult() {
   else
     verdict_->setText(tr("May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.")
                           .arg(numberText(c.camera.meanPx, 3), shown(vignole::name(c.variant))));
-  table_->setRowCount(static_cast<int>(c.variants.size()));
+  std::vector<VariantResult> variants = c.variants;
+  std::stable_partition(variants.begin(), variants.end(),
+                        [&](const VariantResult& v) { return v.variant == c.variant; });
+  table_->setRowCount(static_cast<int>(variants.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const VariantResult& v = c.variants[static_cast<std::size_t>(row)];
+    const VariantResult& v = variants[static_cast<std::size_t>(row)];
     const bool chosen = v.variant == c.variant;
     const auto put = [&](int column, const QString& text, bool right) {
       auto* item = new QTableWidgetItem(text);

@@ -13,7 +13,7 @@ namespace vignole {
 namespace {
 enum Column { kName, kInForce, kNew, kAllowed, kLargest, kColumns };
 constexpr std::array<double, kColumns> kShares = {0.20, 0.15, 0.15, 0.16, 0.34};
-constexpr std::array<int, kColumns> kLeast = {88, 64, 62, 70, 0};
+constexpr std::array<int, kColumns> kLeast = {86, 68, 74, 70, 0};
 }  // namespace
 
 QIcon stateIcon(StateSymbol symbol, const Palette& palette) {

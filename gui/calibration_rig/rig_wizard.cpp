@@ -170,9 +170,11 @@ QWidget* RigWizard::makeCompare() {
   figure_ = new PlotPicture(place_.theme, figurePanel_);
   figurePanel_->content()->addWidget(figure_, 1);
   checkPanel_ = new Panel(page);
-  checks_ = makeTable(4, checkPanel_);
+  checks_ = makeTable(1, checkPanel_);
   checks_->setFont(uiFont(15));
-  for (int c = 0; c < 3; ++c) checks_->horizontalHeader()->setSectionResizeMode(c, QHeaderView::ResizeToContents);
+  checks_->setWordWrap(true);
+  checks_->horizontalHeader()->hide();
+  checks_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   report_ = makeButton(place_.theme, QStringLiteral("report"), checkPanel_);
   checkPanel_->head()->addWidget(report_);
   checkPanel_->content()->addWidget(checks_, 1);
@@ -274,7 +276,7 @@ QWidget* RigWizard::makeFoot() {
 
 QWidget* RigWizard::makeRight() {
   auto* right = new QWidget(this);
-  right->setMinimumWidth(416);
+  right->setMinimumWidth(440);
   worthPanel_ = new Panel(right);
   worth_ = new WorthTable(place_.theme, place_.units, worthPanel_);
   worthPanel_->content()->addWidget(worth_, 1);
@@ -282,7 +284,7 @@ QWidget* RigWizard::makeRight() {
   fit_ = makeTable(4, fitPanel_);
   fit_->verticalHeader()->setMinimumSectionSize(22);
   fit_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  fit_->setFont(uiFont(15));
+  fit_->setFont(uiFont(14));
   for (int c = 0; c < 4; ++c)
     fit_->horizontalHeader()->setSectionResizeMode(c, c == 0 ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
   fitPanel_->content()->addWidget(fit_, 1);
@@ -364,7 +366,6 @@ void RigWizard::retranslate() {
   fit_->setHorizontalHeaderLabels({tr("Camera"), tr("Centre (CD)"), tr("Radius (RD)"), tr("Points (PD)")});
   fit_->setAccessibleName(tr("Table IV: fit to the pins"));
   for (int c = 1; c < 4; ++c) fit_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  checks_->setHorizontalHeaderLabels({tr("Check"), tr("Found"), tr("Limit"), tr("What it says")});
   checks_->setAccessibleName(tr("Checks of the new calibration"));
   worth_->retranslate();
   for (PlateView* view : views_) view->retranslate();
@@ -694,27 +695,23 @@ void RigWizard::showChecks() {
   if (!solution_) return;
   const Palette& p = place_.theme.palette();
   const auto& all = solution_->checks.checks;
-  int row = 0;
-  const auto add = [&](StateSymbol symbol, const QString& what, const QString& found, const QString& limit,
-                       const QString& words) {
-    checks_->insertRow(row);
-    put(*checks_, row, 0, what)->setIcon(stateIcon(symbol, p));
-    put(*checks_, row, 1, found, true);
-    put(*checks_, row, 2, limit, true);
-    put(*checks_, row, 3, words);
-    ++row;
+  const auto add = [&](StateSymbol symbol, const QString& words) {
+    checks_->insertRow(checks_->rowCount());
+    put(*checks_, checks_->rowCount() - 1, 0, words)->setIcon(stateIcon(symbol, p));
   };
-  for (const std::string& refusal : solution_->refusals) add(StateSymbol::Out, tr("Refused"), {}, {}, shown(refusal));
-  for (const std::string& warning : solution_->adjustment.warnings)
-    add(StateSymbol::Near, tr("Note"), {}, {}, shown(warning));
+  for (const std::string& refusal : solution_->refusals) add(StateSymbol::Out, shown(refusal));
+  for (const std::string& warning : solution_->adjustment.warnings) add(StateSymbol::Near, shown(warning));
   for (const Check& check : all) {
     const StateSymbol symbol = !check.done     ? StateSymbol::NoLimit
                                : check.pass()  ? StateSymbol::Good
                                : check.refuses ? StateSymbol::Out
                                                : StateSymbol::Near;
-    add(symbol, shown(check.name),
-        check.done ? QString::number(check.value, 'g', 3) + QLatin1Char(' ') + shown(check.unit) : QStringLiteral("–"),
-        QString::number(check.limit, 'g', 3), shown(check.words));
+    const QString limit = QString::number(check.limit, 'g', 3) + QLatin1Char(' ') + shown(check.unit);
+    const QString verdict = !check.done ? tr("could not be asked")
+                            : check.pass()
+                                ? tr("%1, within %2").arg(QString::number(check.value, 'g', 3), limit.trimmed())
+                                : tr("%1, above %2").arg(QString::number(check.value, 'g', 3), limit.trimmed());
+    add(symbol, QStringLiteral("%1: %2\n%3").arg(shown(check.name), verdict, shown(check.words)));
   }
 }
 

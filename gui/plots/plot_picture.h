@@ -15,7 +15,7 @@ class PlotPicture : public QWidget {
   explicit PlotPicture(const Theme& theme, QWidget* parent = nullptr);
   void show(Plot plot);
   [[nodiscard]] const Plot& plot() const { return plot_; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 130}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 96}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

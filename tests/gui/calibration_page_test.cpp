@@ -19,6 +19,7 @@
 #include "engine/simulator/virtual_rig.h"
 #include "gui/bridge/calibration_in_force.h"
 #include "gui/calibration/calibration_overview.h"
+#include "gui/calibration_encoder/encoder_panel.h"
 #include "gui/calibration_lens/lens_wizard.h"
 #include "gui/calibration_records/calibration_desk.h"
 #include "gui/calibration_reference/reference_panel.h"
@@ -313,6 +314,23 @@ TEST_F(CalibrationPageTest, AReferencePieceTellsAGoodCalibrationFromABadOne) {
   keep("reference-bad");
   EXPECT_FALSE(page->reference().result()->agrees());
   EXPECT_TRUE(words().contains(QStringLiteral("does not agree"))) << words().toStdString();
+}
+
+TEST_F(CalibrationPageTest, TheEncoderIsCalibratedAndASlippingWheelIsTold) {
+  open();
+  click("Calibrate the encoder over a known length");
+  click("Drive the rail");
+  ASSERT_TRUE(page->encoder().result()) << words().toStdString();
+  keep("encoder");
+  const PerPulse& along = page->encoder().result()->vz;
+  ASSERT_TRUE(along.uMm);
+  EXPECT_NEAR(along.mm, 0.05, 4 * *along.uMm + 1e-9);
+  EXPECT_TRUE(words().contains(QStringLiteral("One pulse is"))) << words().toStdString();
+  named<QDoubleSpinBox>("Slip of the virtual second encoder, ppm")->setValue(2000);
+  click("Drive the rail");
+  ASSERT_TRUE(page->encoder().result());
+  EXPECT_TRUE(words().contains(QStringLiteral("slips"))) << words().toStdString();
+  keep("encoder-slip");
 }
 
 TEST_F(CalibrationPageTest, AStudyTellsWhichSettingMatters) {
