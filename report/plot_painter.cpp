@@ -179,7 +179,7 @@ class PlotPainter {
     for (const Curve& c : plot_.curves)
       if (!c.name.empty()) wanted += 56 + metrics.horizontalAdvance(text(c.name));
     const bool tight = wanted > area_.right() - inner_.left();
-    const double mark = tight ? 10 : 22, gap = tight ? 8 : 26;
+    const double mark = tight ? 8 : 22, gap = tight ? 6 : 26;
     double x = tight ? area_.left() : inner_.left();
     const double y = area_.bottom() - 4;
     for (const Curve& c : plot_.curves) {
@@ -194,8 +194,8 @@ class PlotPainter {
         painter_.drawEllipse(QPointF(x + mark / 2, y - 5), 3.5, 3.5);
       }
       painter_.setPen(palette_.t2);
-      painter_.drawText(QPointF(x + mark + (tight ? 4 : 8), y), text(c.name));
-      x += mark + (tight ? 4 : 8) + metrics.horizontalAdvance(text(c.name)) + gap;
+      painter_.drawText(QPointF(x + mark + (tight ? 3 : 8), y), text(c.name));
+      x += mark + (tight ? 3 : 8) + metrics.horizontalAdvance(text(c.name)) + gap;
     }
   }
 

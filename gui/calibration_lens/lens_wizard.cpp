@@ -1,10 +1,10 @@
 #include "gui/calibration_lens/lens_wizard.h"
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QDateTime>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -99,16 +99,19 @@ LensWizard::LensWizard(Workplace& place, CalibrationDesk& desk, QWidget* parent)
     solveWords_->setText(tr("Cancelling…"));
   });
 
-  auto* grid = new QGridLayout(wizard);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(12);
-  grid->addWidget(stepPanel_, 0, 0);
-  grid->addWidget(coveragePanel_, 1, 0);
-  grid->addWidget(centre_, 0, 1);
-  grid->addWidget(makeFoot(), 1, 1);
-  grid->setColumnStretch(0, 30);
-  grid->setColumnStretch(1, 130);
-  grid->setRowStretch(0, 1);
+  auto* columns = new QHBoxLayout(wizard);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(12);
+  auto* aside = new QVBoxLayout;
+  aside->setSpacing(12);
+  aside->addWidget(stepPanel_, 3);
+  aside->addWidget(coveragePanel_, 2);
+  auto* work = new QVBoxLayout;
+  work->setSpacing(12);
+  work->addWidget(centre_, 1);
+  work->addWidget(makeFoot());
+  columns->addLayout(aside, 30);
+  columns->addLayout(work, 130);
   whole_->addWidget(wizard);
   whole_->addWidget(makeClosed());
   auto* column = new QVBoxLayout(this);
@@ -261,6 +264,7 @@ void LensWizard::retranslate() {
   tablePanel_->setTitle(tr("Lens models (Table III)"));
   table_->setHorizontalHeaderLabels(
       {tr("Distortion model"), tr("Mean error px"), tr("RMS px"), tr("Not seen before px"), tr("Focal length mm")});
+  for (int c = 1; c < 5; ++c) table_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->setAccessibleName(tr("Lens models that were tried"));
   mapPanel_->setTitle(tr("Coverage and residuals"));
   seen_->setAccessibleName(tr("Points of all pictures"));
@@ -608,6 +612,14 @@ void LensWizard::showSentence() {
   sentence_->setText(headline);
   detail_->setText(detail);
   detail_->setVisible(!detail.isEmpty());
+  giveRoom(*sentence_);
+  giveRoom(*detail_);
+}
+
+void LensWizard::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &LensWizard::showSentence,
+                            Qt::QueuedConnection);  // when the labels have their widths
 }
 
 }  // namespace vignole

@@ -55,6 +55,9 @@ class LensWizard : public QWidget {
   void solved();
   void lensReady(int camera, const CalibratedIntrinsics& lens);  ///< accepted, to be used with the plate
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void go(Stage stage);
   void look();

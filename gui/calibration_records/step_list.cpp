@@ -14,6 +14,11 @@ StepList::StepList(const Theme& theme, QWidget* parent) : QWidget(parent), theme
   connect(&theme_, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
+void giveRoom(QLabel& wrapped) {
+  wrapped.setMinimumHeight(wrapped.text().isEmpty() || wrapped.width() < 200 ? 0
+                                                                             : wrapped.heightForWidth(wrapped.width()));
+}
+
 QSize StepList::minimumSizeHint() const { return {160, kLeastStep * static_cast<int>(steps_.size())}; }
 
 void StepList::show(std::vector<Step> steps, int current) {

@@ -1,6 +1,7 @@
 #pragma once
 // The steps of a wizard: done, at hand, ahead.
 
+#include <QLabel>
 #include <QWidget>
 #include <vector>
 
@@ -29,5 +30,8 @@ class StepList : public QWidget {
   std::vector<Step> steps_;
   int current_ = 0;
 };
+
+/// A wrapped label gets room for all its lines at its present width: nested layouts do not ask for it.
+void giveRoom(QLabel& wrapped);
 
 }  // namespace vignole

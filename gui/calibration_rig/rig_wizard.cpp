@@ -821,6 +821,13 @@ void RigWizard::showSentence() {
   sentence_->setText(headline);
   detail_->setText(detail);
   detail_->setVisible(!detail.isEmpty());
+  giveRoom(*sentence_);
+  giveRoom(*detail_);
+}
+
+void RigWizard::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &RigWizard::showSentence, Qt::QueuedConnection);  // when the labels have their widths
 }
 
 }  // namespace vignole

@@ -60,6 +60,9 @@ class RigWizard : public QWidget {
   void solved();   ///< an answer has come, whatever it is
   void applied();  ///< an answer has come, whatever it is
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* makeSteps();
   QWidget* makePrepare();
