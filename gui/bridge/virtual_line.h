@@ -35,6 +35,7 @@ class VirtualLine : public Line {
   void useCalibration(const RigCalibration& calibration) override;
   [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override;
   void useStripeSettings(const StripeSettings& settings) override;
+  [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:
   struct Impl;

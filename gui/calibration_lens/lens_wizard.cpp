@@ -166,8 +166,9 @@ QWidget* LensWizard::makeResult() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(12);
-  column->addWidget(tablePanel_, 2);
-  column->addWidget(mapPanel_, 3);
+  table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  column->addWidget(tablePanel_, 3);
+  column->addWidget(mapPanel_, 5);
   return page;
 }
 
