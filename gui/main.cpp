@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "gui/bridge/calibration_in_force.h"
 #include "gui/bridge/self_test.h"
 #include "gui/bridge/virtual_line.h"
 #include "gui/languages/languages.h"
@@ -127,6 +128,11 @@ int run(const Options& options) {
   }
   Records records = openRecords(options, !options.screenshot.empty() || options.selfTestS);
   (*line)->record(records.writer.get());
+  if (records.archive) {
+    auto inForce = calibrationInForce(*records.archive, (*line)->calibration());
+    if (!inForce) return fail(inForce.error());
+    if (*inForce) (*line)->useCalibration(**inForce);
+  }
   Workplace place{theme, **line, session, units};
   place.archive = records.archive ? &*records.archive : nullptr;
   place.archiveUrl = records.url;

@@ -32,7 +32,8 @@ class RailWatch {
   [[nodiscard]] bool railUnderWay() const;
   /// Set once the engine has ended; empty text: all went well.
   [[nodiscard]] std::optional<std::string> ended() const;
-  void restart();  ///< before another inspection; keeps the rails that passed
+  /// Before another inspection; keeps the rails that passed. Empty: the calibration is the same.
+  void restart(const std::string& calibrationId = {});
 
  private:
   struct Absence {

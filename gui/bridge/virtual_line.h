@@ -33,7 +33,10 @@ class VirtualLine : public Line {
   [[nodiscard]] PictureAgain pictureAgain() override;
   [[nodiscard]] std::optional<double> exposureMs() const override;
   void useExposure(double exposureMs) override;
+  /// The exact one of the rig until another is to be used
   [[nodiscard]] RigCalibration calibration() override;
+  void useCalibration(const RigCalibration& calibration) override;
+  [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override;
   void useStripeSettings(const StripeSettings& settings) override;
   [[nodiscard]] RailAnnouncements* announcements() override;
 

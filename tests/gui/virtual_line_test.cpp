@@ -2,6 +2,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "engine/recipe/recipe.h"
@@ -133,6 +134,40 @@ TEST(VirtualLine, APictureMadeAgainIsTheOneThatWasMeasured) {
     return total;
   };
   EXPECT_LT(sum(darker->image), sum(again->image));
+}
+
+TEST(VirtualLine, MeasuresWithAnotherCalibrationFromTheNextStartOn) {
+  auto line = VirtualLine::create(settings());
+  ASSERT_TRUE(line) << line.error().message();
+  RigCalibration other = (*line)->calibration();
+  const std::string exact = other.id;
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).rail != nullptr; }, 30000));
+  other.id = "rig-of-a-test";
+  other.method = "joint";
+  other.rangeFinders[1].cameraFromWorld.translationMm += Eigen::Vector3d(1.5, 0, 0);
+  (*line)->useCalibration(other);
+  EXPECT_EQ((*line)->calibration().id, other.id);
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).rail->calibrationId, exact) << "the running rail keeps its own";
+  EXPECT_NE((*line)->pull(PullDetail::Everything).calibrationMethod, "joint");
+  const double before = (*line)->pull(PullDetail::Everything).rail->dimensions[index(Dimension::FTr)].meanMm;
+  (*line)->stop();
+  ASSERT_TRUE(waitForState(**line, LineState::Stopped));
+  (*line)->start();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+        return now.state == LineState::Measuring && now.rail && now.rail->calibrationId == other.id &&
+               now.rail->dimensions[index(Dimension::FTr)].count > 5;
+      },
+      30000));
+  const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+  EXPECT_EQ(now.calibrationMethod, "joint");
+  EXPECT_GT(std::abs(now.rail->dimensions[index(Dimension::FTr)].meanMm - before), 0.2)
+      << "the camera stands elsewhere";
+  ASSERT_TRUE(now.drift);
+  EXPECT_TRUE(now.drift->latest.learning);
 }
 
 TEST(VirtualLine, ClosingTheWindowWhileMeasuringStopsCleanly) {
