@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/acquisition/rail_announcement.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
@@ -82,6 +83,8 @@ class Line {
   [[nodiscard]] virtual RigCalibration calibration() { return {}; }
   /// From the next start on; the running rail keeps what it began with. Settings are checked().
   virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
+  /// Where the papers of the next rail are handed in; null: the line takes none.
+  [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
 };
 
 }  // namespace vignole

@@ -5,11 +5,12 @@
 namespace vignole {
 
 InspectionObserver recorded(InspectionObserver watch, RailWriter& writer, std::shared_ptr<const MeasuringSetup> setup,
-                            RailPapers papers, std::function<std::vector<StageStatistics>()> stages) {
+                            std::function<RailPapers(const RailBegin&)> papers,
+                            std::function<std::vector<StageStatistics>()> stages) {
   InspectionObserver both;
   both.railBegan = [began = std::move(watch.railBegan), &writer, setup = std::move(setup),
                     papers = std::move(papers)](const RailBegin& rail) {
-    writer.begin(rail, papers, setup);
+    writer.begin(rail, papers ? papers(rail) : RailPapers{}, setup);
     if (began) began(rail);
   };
   both.profileMeasured = [measured = std::move(watch.profileMeasured), &writer](const ProfileResult& profile) {

@@ -10,10 +10,11 @@
 
 namespace vignole {
 
-/// `watch`, and everything it is told goes to the writer too. `stages` is asked when a rail has ended, in the engine's
-/// thread. Writer, and what `stages` refers to, outlive the inspection.
+/// `watch`, and everything it is told goes to the writer too. `papers` is asked when a rail begins, `stages` when it
+/// has ended, in the engine's thread. Writer, and what the two refer to, outlive the inspection.
 [[nodiscard]] InspectionObserver recorded(InspectionObserver watch, RailWriter& writer,
-                                          std::shared_ptr<const MeasuringSetup> setup, RailPapers papers,
+                                          std::shared_ptr<const MeasuringSetup> setup,
+                                          std::function<RailPapers(const RailBegin&)> papers,
                                           std::function<std::vector<StageStatistics>()> stages);
 
 }  // namespace vignole

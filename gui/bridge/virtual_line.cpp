@@ -17,6 +17,7 @@ struct VirtualLine::Impl {
   VirtualLineSettings settings;
   std::shared_ptr<const VirtualRig> rig;
   RailWatch watch;
+  RailAnnouncements announcements;
   // The inspection uses source and watch: it is declared last and goes first.
   std::shared_ptr<LatestFrames> frames = std::make_shared<LatestFrames>();
   std::optional<StripeSettings> nextStripe;
@@ -67,7 +68,8 @@ void VirtualLine::start() {
   source.rails = std::numeric_limits<int>::max();
   source.lengthMm = i.settings.railLengthMm;
   source.paced = true;
-  i.source = makeVirtualSource(i.rig, source);
+  i.announcements.restart();
+  i.source = announced(makeVirtualSource(i.rig, source), i.announcements);
   i.tap = std::make_unique<FrameTap>(*i.source, i.frames);
   if (i.nextStripe) i.settings.recipe.stripe = *std::exchange(i.nextStripe, std::nullopt);
   i.watch.restart();
@@ -76,7 +78,15 @@ void VirtualLine::start() {
   InspectionObserver observer = i.watch.observer();
   if (i.writer != nullptr) {
     auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{i.settings.recipe, i.rig->calibration()});
-    observer = recorded(std::move(observer), *i.writer, std::move(setup), {}, [&i] { return i.inspection->stages(); });
+    const auto papersOf = [&i](const RailBegin& rail) {
+      const RailAnnouncement known = i.announcements.taken(rail.firstTrigger);
+      RailPapers papers;
+      papers.strand = known.strand;
+      papers.orderNumber = known.order;
+      return papers;
+    };
+    observer =
+        recorded(std::move(observer), *i.writer, std::move(setup), papersOf, [&i] { return i.inspection->stages(); });
   }
   i.inspection = std::make_unique<Inspection>(*i.tap, i.settings.recipe, i.rig->calibration(), std::move(observer));
   i.inspection->start();
@@ -87,6 +97,8 @@ RigCalibration VirtualLine::calibration() { return impl_->rig->calibration(); }
 void VirtualLine::useStripeSettings(const StripeSettings& settings) { impl_->nextStripe = settings; }
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
+
+RailAnnouncements* VirtualLine::announcements() { return &impl_->announcements; }
 
 void VirtualLine::stop() {
   impl_->stopAsked = true;

@@ -32,6 +32,7 @@ class VirtualLine : public Line {
   [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
   [[nodiscard]] RigCalibration calibration() override;
   void useStripeSettings(const StripeSettings& settings) override;
+  [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:
   struct Impl;

@@ -17,6 +17,7 @@
 #include "gui/monitor/monitor_page.h"
 #include "gui/quality/quality_page.h"
 #include "gui/rails/rails_page.h"
+#include "gui/recipes/recipes_page.h"
 #include "gui/settings/settings_page.h"
 #include "gui/stripes/stripes_page.h"
 
@@ -85,6 +86,7 @@ void MainWindow::addPages() {
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
+  add(PageId::Recipes, new RecipesPage(place_, stack_));
   add(PageId::Quality, new QualityPage(place_, stack_));
   add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));
   add(PageId::Diagnostics, new DiagnosticsPage(place_, watchdog_, stack_));

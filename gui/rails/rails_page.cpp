@@ -16,11 +16,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/files/atomic_file.h"
+#include "engine/rail/catalogue.h"
 #include "gui/bridge/archive_reader.h"
 #include "gui/plots/strip_chart.h"
+#include "gui/rails/next_rail_dialog.h"
 #include "gui/rails/rail_band.h"
+#include "gui/rails/rail_export.h"
 #include "gui/rails/replay_canvas.h"
+#include "gui/rails/what_if_dialog.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
@@ -64,23 +67,8 @@ std::vector<RailException> exceptionsOf(const RailSummary& summary) {
   return all;
 }
 
-std::string csvOf(const StoredRail& rail, const std::vector<ProfileRecord>& profiles) {
-  std::string text = "profile,position_mm";
-  for (const DimensionSummary& d : rail.summary.dimensions) {
-    const std::string word(name(d.dimension));
-    text += "," + word + "_mm," + word + "_u_mm," + word + "_verdict";
-  }
-  text += "\n";
-  const auto number = [](double value) { return QString::number(value, 'f', 6).toStdString(); };
-  for (std::size_t i = 0; i < profiles.size(); ++i) {
-    text += std::to_string(i + 1) + "," + number(profiles[i].positionMm);
-    for (const DimensionResult& r : profiles[i].dimensions)
-      text += "," + (r.valueMm ? number(*r.valueMm) : std::string()) + "," +
-              (r.valueMm ? number(r.uMm) : std::string()) + "," + std::string(name(r.verdict));
-    text += "\n";
-  }
-  return text;
-}
+constexpr qint64 kDayUs = 86'400'000'000;
+constexpr std::array<int, 4> kPeriodDays = {1, 7, 28, 365};
 
 }  // namespace
 
@@ -115,12 +103,28 @@ QWidget* RailsPage::makeList() {
   text_->setFont(uiFont(16));
   text_->setClearButtonEnabled(true);
   connect(text_, &QLineEdit::textChanged, typing_, qOverload<>(&QTimer::start));
-  auto* filters = new QHBoxLayout;
+  nextRail_ = makeButton(place_.theme, QStringLiteral("add"), list_);
+  nextRail_->setVisible(place_.line.announcements() != nullptr);
+  connect(nextRail_, &QPushButton::clicked, this, &RailsPage::enterNextRail);
+  list_->head()->addWidget(nextRail_);
+  whatIf_ = makeButton(place_.theme, QString(), list_);
+  whatIf_->setEnabled(false);
+  connect(whatIf_, &QPushButton::clicked, this, &RailsPage::askWhatIf);
+  auto* searchRow = new QHBoxLayout;
+  searchRow->addWidget(text_, 1);
+  searchRow->addWidget(whatIf_);
+  auto* filters = new QGridLayout;
   verdict_ = new QComboBox(list_);
   dimension_ = new QComboBox(list_);
-  for (QComboBox* box : {verdict_, dimension_}) {
+  period_ = new QComboBox(list_);
+  section_ = new QComboBox(list_);
+  int place = 0;
+  for (QComboBox* box : {verdict_, dimension_, period_, section_}) {
     box->setFont(uiFont(16));
-    filters->addWidget(box, 1);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    filters->addWidget(box, place / 2, place % 2);
+    ++place;
     connect(box, &QComboBox::currentIndexChanged, this, &RailsPage::search);
   }
   table_ = new QTableWidget(0, 5, list_);
@@ -132,6 +136,10 @@ QWidget* RailsPage::makeList() {
       openRail(found_[static_cast<std::size_t>(chosen)].key);
   });
   empty_ = makeLabel(16, 400, "t2", list_, true);
+  clear_ = makeButton(place_.theme, QStringLiteral("reject"), list_);
+  clear_->hide();
+  connect(clear_, &QPushButton::clicked, this, &RailsPage::clearFilters);
+  writer_ = makeLabel(14, 400, "t2", list_, true);
   auto* buttons = new QHBoxLayout;
   report_ = makeButton(place_.theme, QStringLiteral("report"), list_);
   export_ = makeButton(place_.theme, QStringLiteral("export"), list_);
@@ -141,10 +149,12 @@ QWidget* RailsPage::makeList() {
     b->setEnabled(false);
     buttons->addWidget(b, 1);
   }
-  list_->content()->addWidget(text_);
+  list_->content()->addLayout(searchRow);
   list_->content()->addLayout(filters);
   list_->content()->addWidget(table_, 1);
   list_->content()->addWidget(empty_);
+  list_->content()->addWidget(clear_);
+  list_->content()->addWidget(writer_);
   list_->content()->addLayout(buttons);
   return list_;
 }
@@ -263,6 +273,25 @@ void RailsPage::retranslate() {
     for (const Dimension d : kDimensions) dimension_->addItem(tr("%1 out").arg(spoken(d)));
     dimension_->setCurrentIndex(dimension);
   }
+  const int period = std::max(0, period_->currentIndex()), section = std::max(0, section_->currentIndex());
+  {
+    const QSignalBlocker quietPeriod(period_), quietSection(section_);
+    period_->clear();
+    period_->addItems({tr("Any time"), tr("Today"), tr("7 days"), tr("4 weeks"), tr("12 months")});
+    period_->setCurrentIndex(period);
+    section_->clear();
+    section_->addItem(tr("Any section"));
+    for (const std::string& name : catalogueNames()) section_->addItem(shown(name));
+    section_->setCurrentIndex(section);
+  }
+  period_->setAccessibleName(tr("Time"));
+  section_->setAccessibleName(tr("Section"));
+  clear_->setText(tr("Clear"));
+  clear_->setAccessibleName(tr("Clear search and filters"));
+  whatIf_->setText(tr("What if…"));
+  whatIf_->setAccessibleName(tr("Judge the rails found with other limits"));
+  nextRail_->setText(tr("Next rail…"));
+  nextRail_->setAccessibleName(tr("Enter the papers of the next rail"));
   verdict_->setAccessibleName(tr("Verdict"));
   dimension_->setAccessibleName(tr("Dimension out of tolerance"));
   table_->setHorizontalHeaderLabels({tr("Verdict"), tr("Rail"), tr("Heat"), tr("Worst"), tr("Time")});
@@ -270,9 +299,9 @@ void RailsPage::retranslate() {
   report_->setText(tr("Report…"));
   export_->setText(tr("Export…"));
   report_->setAccessibleName(tr("Report as PDF"));
-  export_->setAccessibleName(tr("Export as CSV"));
+  export_->setAccessibleName(tr("Export as CSV or JSON"));
   report_->setToolTip(tr("Report as PDF (Ctrl+P)"));
-  export_->setToolTip(tr("Export as CSV (Ctrl+E)"));
+  export_->setToolTip(tr("Export as CSV or JSON (Ctrl+E)"));
   live_->setText(tr("Back to live"));
   live_->setAccessibleName(tr("Back to live"));
   along_->setTitle(tr("Along the rail"));
@@ -320,9 +349,62 @@ void RailsPage::showEvent(QShowEvent* event) {
 }
 
 void RailsPage::showLine(const LineSnapshot& line, PullDetail detail) {
-  if (detail != PullDetail::Everything || line.railsPassed == railsPassed_) return;
+  if (detail != PullDetail::Everything) return;
+  showWriter();
+  if (nextRailDialog_ != nullptr && nextRailDialog_->isVisible()) nextRailDialog_->refresh();
+  if (line.railsPassed == railsPassed_) return;
   railsPassed_ = line.railsPassed;
   QTimer::singleShot(1500, this, &RailsPage::search);  // the writer needs a moment
+}
+
+void RailsPage::showWriter() {
+  if (place_.writer == nullptr) {
+    writer_->setText(place_.archive != nullptr ? tr("Nothing new is kept: nobody writes into this archive.")
+                                               : tr("Nothing is kept. Live rails are shown on Monitor only."));
+    return;
+  }
+  const RailWriterStatus status = place_.writer->status();
+  QString words = tr("kept: %1 rails, %2 profiles waiting").arg(count(status.railsStored), count(status.queued));
+  if (status.profilesLost > 0) words += tr("; %1 profiles lost").arg(count(status.profilesLost));
+  if (status.pointsDropped > 0) words += tr("; points of %1 profiles left out").arg(count(status.pointsDropped));
+  writer_->setText(status.failure.empty()
+                       ? words
+                       : tr("Nothing can be written: %1. What passes waits in memory.").arg(shown(status.failure)) +
+                             QChar(u' ') + words);
+}
+
+void RailsPage::enterNextRail() {
+  if (place_.line.announcements() == nullptr) return;
+  if (nextRailDialog_ == nullptr)
+    nextRailDialog_ = new NextRailDialog(place_.theme, *place_.line.announcements(), this);
+  nextRailDialog_->show();
+  nextRailDialog_->raise();
+}
+
+void RailsPage::askWhatIf() {
+  if (!opened_ || !opened_->recipe) return;
+  if (whatIfDialog_ == nullptr) whatIfDialog_ = new WhatIfDialog(place_, *reader_, this);
+  std::vector<RailLine> rails;
+  for (const RailLine& rail : found_)
+    if (rail.section == opened_->recipe->section.name && rail.state == RailState::Finished) rails.push_back(rail);
+  whatIfDialog_->setRails(*opened_->recipe, std::move(rails));
+  whatIfDialog_->show();
+  whatIfDialog_->raise();
+}
+
+bool RailsPage::filtered() const {
+  const auto set = [](const QComboBox* box) { return box->currentIndex() > 0; };
+  return !text_->text().trimmed().isEmpty() || set(verdict_) || set(dimension_) || set(period_) || set(section_);
+}
+
+void RailsPage::clearFilters() {
+  {
+    const QSignalBlocker a(text_), b(verdict_), c(dimension_), d(period_), e(section_);
+    text_->clear();
+    for (QComboBox* box : {verdict_, dimension_, period_, section_}) box->setCurrentIndex(0);
+  }
+  text_->setFocus();
+  search();
 }
 
 RailQuery RailsPage::query() const {
@@ -337,6 +419,11 @@ RailQuery RailsPage::query() const {
     query.dimensions.push_back(dimension);
   }
   query.railId = text_->text().trimmed().toStdString();
+  if (const int i = period_->currentIndex(); i == 1)
+    query.fromUs = QDate::currentDate().startOfDay().toMSecsSinceEpoch() * 1000;
+  else if (i > 1)
+    query.fromUs = systemTimeUs() - kPeriodDays[static_cast<std::size_t>(i - 1)] * kDayUs;
+  if (section_->currentIndex() > 0) query.section = section_->currentText().toStdString();
   return query;
 }
 
@@ -391,12 +478,11 @@ void RailsPage::showFound(std::vector<RailLine> found, std::uint64_t all) {
   for (int column = 0; column < 4; ++column) table_->setColumnWidth(column, wide * shares[column] / 100);
   if (chosen >= 0) table_->selectRow(chosen);
   list_->setNote(tr("%1 of %2").arg(count(found_.size()), count(std::max<std::uint64_t>(all, found_.size()))));
-  const bool filtered =
-      !text_->text().trimmed().isEmpty() || verdict_->currentIndex() > 0 || dimension_->currentIndex() > 0;
   empty_->setVisible(found_.empty());
+  clear_->setVisible(found_.empty() && filtered());
   if (found_.empty())
-    empty_->setText(filtered ? tr("No rail is like that. Clear the search or choose other filters.")
-                             : tr("No rail has been measured yet. Rails appear here when they have passed."));
+    empty_->setText(filtered() ? tr("No rail is like that. Clear the search or choose other filters.")
+                               : tr("No rail has been measured yet. Rails appear here when they have passed."));
   // Nobody has chosen yet: the newest rail that has passed.
   if (!opened_)
     for (const RailLine& rail : found_)
@@ -433,6 +519,7 @@ void RailsPage::showOpened(std::shared_ptr<const OpenedRail> rail) {
   band_->setToolTip(band_->text());
   report_->setEnabled(true);
   export_->setEnabled(true);
+  whatIf_->setEnabled(opened_->recipe.has_value());
   const auto all = exceptionsOf(summary);
   const QSignalBlocker quiet(exceptionTable_);
   exceptionTable_->clearSelection();
@@ -583,7 +670,9 @@ void RailsPage::save(bool report) {
   if (!opened_) return;
   const QString proposal =
       shown(opened_->stored.summary.rail.id) + (report ? QStringLiteral(".pdf") : QStringLiteral(".csv"));
-  const QString file = QFileDialog::getSaveFileName(this, report ? tr("Report as PDF") : tr("Export as CSV"), proposal);
+  const QString file = QFileDialog::getSaveFileName(
+      this, report ? tr("Report as PDF") : tr("Export as CSV or JSON"), proposal,
+      report ? QStringLiteral("PDF (*.pdf)") : QStringLiteral("CSV (*.csv);;JSON (*.json)"));
   if (file.isEmpty()) return;
   list_->setNote(tr("writing %1 …").arg(file));
   reader_->ask(
@@ -606,7 +695,7 @@ void RailsPage::save(bool report) {
           done = worldError("archive", problem);
         } else {
           const auto profiles = RailArchive(*archive).profiles(rail->stored.key);
-          done = profiles ? writeFile(file.toStdString(), csvOf(rail->stored, *profiles))
+          done = profiles ? exportRail(rail->stored, *profiles, file.toStdString())
                           : Expected<void>(tl::unexpected(profiles.error()));
         }
         return [this, file, done] {

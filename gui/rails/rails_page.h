@@ -21,10 +21,12 @@ class QVBoxLayout;
 namespace vignole {
 
 class ArchiveReader;
+class NextRailDialog;
 class Panel;
 class RailBand;
 class ReplayCanvas;
 class StripChart;
+class WhatIfDialog;
 
 class RailsPage : public Page {
   Q_OBJECT
@@ -60,6 +62,11 @@ class RailsPage : public Page {
   void bindKeys();
   void retranslate();
   [[nodiscard]] RailQuery query() const;
+  [[nodiscard]] bool filtered() const;
+  void clearFilters();
+  void showWriter();
+  void enterNextRail();
+  void askWhatIf();
   void showFound(std::vector<RailLine> found, std::uint64_t all);
   void showOpened(std::shared_ptr<const OpenedRail> rail);
   void showProfile(const StoredProfile& profile);
@@ -80,10 +87,12 @@ class RailsPage : public Page {
 
   Panel *list_, *drawing_, *along_, *scrub_, *exceptions_;
   QLineEdit* text_;
-  QComboBox *verdict_, *dimension_;
+  QComboBox *verdict_, *dimension_, *period_, *section_;
   QTableWidget *table_, *exceptionTable_;
-  QLabel *empty_, *band_, *positionLabel_, *valueNote_;
-  QPushButton *report_, *export_, *back_, *live_, *playButton_, *forward_;
+  QLabel *empty_, *writer_, *band_, *positionLabel_, *valueNote_;
+  QPushButton *whatIf_, *nextRail_, *clear_, *report_, *export_, *back_, *live_, *playButton_, *forward_;
+  NextRailDialog* nextRailDialog_ = nullptr;  ///< made when it is first asked for
+  WhatIfDialog* whatIfDialog_ = nullptr;      ///< the same
   ReplayCanvas* canvas_;
   RailBand* railBand_;
   std::array<StripChart*, 3> strips_;

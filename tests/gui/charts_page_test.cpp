@@ -2,6 +2,7 @@
 
 #include "gui/charts/charts_page.h"
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -93,6 +94,44 @@ TEST_F(ChartsPageTest, InchesAreShownWithoutTouchingWhatIsStored) {
   EXPECT_TRUE(page->chart().series().yLabel.endsWith(QStringLiteral("in")));
   units.setLength(Units::Length::Millimetre);
   EXPECT_EQ(page->chart().series().y[5], mm);
+}
+
+/// The quickest of a few pictures, ms: what the machine does beside it makes none quicker.
+double pictureMs(TolerancePlot& plot) {
+  double best = 1e9;
+  for (int i = 0; i < 7; ++i) {
+    QElapsedTimer timer;
+    timer.start();
+    plot.zoom(i % 2 == 0 ? 0.98 : 1 / 0.98);
+    (void)plot.grab();
+    best = std::min(best, static_cast<double>(timer.nsecsElapsed()) / 1e6);
+  }
+  return best;
+}
+
+TEST(TolerancePlotAtLength, AHundredThousandPointsAreDrawnInNearlyTheTimeOfAThousand) {
+  Theme theme;
+  TolerancePlot plot(theme);
+  plot.resize(1150, 480);
+  plot.setVisible(true);
+  const auto ofLength = [&](int n) {
+    ToleranceSeries series;
+    for (int i = 0; i < n; ++i) {
+      series.x.append(i * 0.015);
+      series.y.append(17 + 0.05 * std::sin(i * 0.01) + 0.01 * ((i * 7919) % 101 - 50) / 50.0);
+    }
+    series.expected = 16.5;
+    series.lower = 16;
+    series.upper = 17.5;
+    plot.show(series);
+    plot.fit();
+    return pictureMs(plot);
+  };
+  const double few = ofLength(1000), many = ofLength(100000);
+  RecordProperty("thousand_us", static_cast<int>(few * 1000));
+  RecordProperty("hundred_thousand_us", static_cast<int>(many * 1000));
+  std::printf("a picture of 1000 points %.2f ms, of 100000 %.2f ms\n", few, many);
+  EXPECT_LT(many, 12 * few) << "a hundred times as many";
 }
 
 TEST_F(ChartsPageTest, TheChartIsSavedAsAPicture) {

@@ -3,6 +3,10 @@
 #include "gui/rails/rails_page.h"
 
 #include <QComboBox>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -13,6 +17,9 @@
 
 #include "engine/archive/generated_rails.h"
 #include "gui/bridge/virtual_line.h"
+#include "gui/rails/next_rail_dialog.h"
+#include "gui/rails/rail_export.h"
+#include "gui/rails/what_if_dialog.h"
 #include "tests/gui/made_line.h"
 
 namespace vignole {
@@ -122,6 +129,99 @@ TEST_F(RailsPageTest, ReplaysAlongTheRailByKeysAndFromExceptionToException) {
   EXPECT_TRUE(inside) << at;
 }
 
+/// The button of this accessible name below `parent`.
+QPushButton* button(const QWidget& parent, const char* accessibleName) {
+  for (QPushButton* b : parent.findChildren<QPushButton*>())
+    if (b->accessibleName() == QLatin1String(accessibleName)) return b;
+  ADD_FAILURE() << "no button " << accessibleName;
+  return nullptr;
+}
+
+TEST_F(RailsPageTest, FindsByTimeAndSectionAndClearsWhatFoundNothing) {
+  show();
+  choose("Time", 2);  // the made rails are of January 2025
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().empty(); }, 10000));
+  QPushButton* clear = button(*page, "Clear search and filters");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return clear->isVisible(); }, 10000));
+  QTest::mouseClick(clear, Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->found().size() == 12; }, 10000));
+  EXPECT_FALSE(clear->isVisible());
+  choose("Section", 1);  // 115RE, the first of the catalogue
+  EXPECT_TRUE(QTest::qWaitFor([&] { return page->found().empty(); }, 10000));
+}
+
+TEST_F(RailsPageTest, WhatIfJudgesTheRailsFoundWithOtherLimits) {
+  show();
+  ASSERT_TRUE(page->opened()->recipe);
+  QTest::mouseClick(button(*page, "Judge the rails found with other limits"), Qt::LeftButton);
+  auto* dialog = page->findChild<WhatIfDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto run = [&] {
+    QSignalSpy done(dialog, &WhatIfDialog::finished);
+    QTest::mouseClick(button(*dialog, "Judge the rails with these limits"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done.count() == 1; }, 30000));
+  };
+  run();
+  EXPECT_EQ(dialog->judged().size(), 12U);
+  EXPECT_EQ(dialog->changed(), 0U) << "with the limits of the recipe";
+  // Without limits of any dimension no rail has a verdict.
+  for (QLineEdit* field : dialog->findChildren<QLineEdit*>()) field->clear();
+  run();
+  EXPECT_EQ(dialog->changed(), 12U);
+  EXPECT_TRUE(dialog->summary().startsWith(QStringLiteral("12 of 12"))) << dialog->summary().toStdString();
+  // What is no number is refused before anything is judged.
+  dialog->findChildren<QLineEdit*>().front()->setText(QStringLiteral("thick"));
+  dialog->start();
+  EXPECT_FALSE(dialog->running());
+  EXPECT_TRUE(dialog->summary().contains(QStringLiteral("no number"))) << dialog->summary().toStdString();
+}
+
+TEST_F(RailsPageTest, ARailIsExportedWithEveryProfile) {
+  const auto rails = RailArchive(*archive).search({});
+  ASSERT_TRUE(rails);
+  const auto rail = RailArchive(*archive).open(rails->front().key);
+  const auto profiles = RailArchive(*archive).profiles(rails->front().key);
+  ASSERT_TRUE(rail && profiles);
+  const auto read = [&](const char* name) {
+    const QString file = folder.filePath(QLatin1String(name));
+    EXPECT_TRUE(exportRail(*rail, *profiles, file.toStdString()));
+    QFile in(file);
+    EXPECT_TRUE(in.open(QIODevice::ReadOnly));
+    return in.readAll();
+  };
+  EXPECT_EQ(read("rail.csv").count('\n'), static_cast<qsizetype>(profiles->size()) + 1);
+  const QJsonObject json = QJsonDocument::fromJson(read("rail.json")).object();
+  EXPECT_EQ(json["rail"].toString().toStdString(), rail->summary.rail.id);
+  const QJsonArray rows = json["profiles"].toArray();
+  ASSERT_EQ(rows.size(), static_cast<qsizetype>(profiles->size()));
+  EXPECT_NEAR(rows[7].toObject()["WT"].toObject()["value_mm"].toDouble(),
+              *(*profiles)[7].dimensions[index(Dimension::WT)].valueMm, 1e-9);
+  EXPECT_FALSE(exportRail(*rail, *profiles, folder.filePath(QStringLiteral("rail.xyz")).toStdString()));
+}
+
+TEST(NextRail, IsEnteredByHandAndRefusesATemperatureThatIsNone) {
+  const Theme theme;
+  RailAnnouncements rails;
+  NextRailDialog dialog(theme, rails);
+  dialog.show();
+  const auto enter = [&](const char* field, const char* text) {
+    for (QLineEdit* edit : dialog.findChildren<QLineEdit*>())
+      if (edit->accessibleName() == QString::fromUtf8(field)) {
+        edit->clear();
+        QTest::keyClicks(edit, QLatin1String(text));
+      }
+  };
+  QPushButton* announce = button(dialog, "For the next rail");
+  QTest::mouseClick(announce, Qt::LeftButton);
+  EXPECT_FALSE(rails.waiting()) << "nothing was entered";
+  enter("Rail", "0412-3-07");
+  enter("Strand", "3");
+  enter("Temperature, \u00b0C", "hot");
+  QTest::mouseClick(announce, Qt::LeftButton);
+  EXPECT_FALSE(rails.waiting());
+  EXPECT_TRUE(dialog.message().contains(QStringLiteral("no number"))) << dialog.message().toStdString();
+}
+
 TEST_F(RailsPageTest, TheWayBackLeadsToTheLiveRail) {
   show();
   QSignalSpy live(page.get(), &RailsPage::liveAsked);
@@ -156,6 +256,8 @@ TEST(RailRecorder, WhatTheLineMeasuresIsInTheArchive) {
   auto line = VirtualLine::create(settings);
   ASSERT_TRUE(line);
   (*line)->record(writer->get());
+  ASSERT_NE((*line)->announcements(), nullptr);
+  (*line)->announcements()->announce({"0412-3-07", "263417", "3", "A-77", {}});
   (*line)->start();
   ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).railsPassed >= 2; }, 30000));
   (*line)->stop();
@@ -168,6 +270,13 @@ TEST(RailRecorder, WhatTheLineMeasuresIsInTheArchive) {
   ASSERT_GE(rails->size(), 2U);
   EXPECT_EQ(rails->back().profiles, 20U);
   EXPECT_EQ(rails->back().state, RailState::Finished);
+  EXPECT_EQ(rails->back().id, "0412-3-07");
+  EXPECT_EQ(rails->back().heat, "263417");
+  const auto first = RailArchive(*archive).open(rails->back().key);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->papers.strand, "3");
+  EXPECT_EQ(first->papers.orderNumber, "A-77");
+  EXPECT_NE((*rails)[rails->size() - 2].id, "0412-3-07") << "it was announced for one rail";
 }
 
 }  // namespace
