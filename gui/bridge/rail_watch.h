@@ -33,6 +33,7 @@ class RailWatch {
   /// Set once the engine has ended; empty text: all went well.
   [[nodiscard]] std::optional<std::string> ended() const;
   void restart();  ///< before another inspection; keeps the rails that passed
+  void forget();   ///< what was measured last: the recipe is another. Between two inspections
 
  private:
   struct Absence {

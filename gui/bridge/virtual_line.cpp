@@ -21,6 +21,8 @@ struct VirtualLine::Impl {
   // The inspection uses source and watch: it is declared last and goes first.
   std::shared_ptr<LatestFrames> frames = std::make_shared<LatestFrames>();
   std::optional<StripeSettings> nextStripe;
+  std::optional<Recipe> nextRecipe;
+  std::optional<VirtualRigSettings> nextRig;  ///< of nextRecipe
   std::unique_ptr<FrameSource> source, tap;
   std::unique_ptr<Inspection> inspection;
   RailWriter* writer = nullptr;
@@ -57,6 +59,16 @@ void VirtualLine::start() {
   Impl& i = *impl_;
   if (running()) return;
   i.inspection.reset();  // joins what has ended; before its source goes
+  if (i.nextRecipe) {
+    // In place: who draws the section refers to it. What was measured against another one is no longer shown.
+    i.settings.recipe = *std::exchange(i.nextRecipe, std::nullopt);
+    i.settings.rig = *std::exchange(i.nextRig, std::nullopt);
+    if (auto rig = VirtualRig::create(i.settings.rig)) i.rig = *std::move(rig);
+    i.watch.forget();
+    i.snapshot.latest.reset();
+    i.snapshot.rail.reset();
+    i.snapshot.nextRecipe.clear();
+  }
   if (i.starts > 0) {
     // The same rig sees another rail, as a mill would: only the seed of the rail moves on.
     VirtualRigSettings next = i.settings.rig;
@@ -95,6 +107,22 @@ void VirtualLine::start() {
 std::shared_ptr<LatestFrames> VirtualLine::frames() { return impl_->frames; }
 RigCalibration VirtualLine::calibration() { return impl_->rig->calibration(); }
 void VirtualLine::useStripeSettings(const StripeSettings& settings) { impl_->nextStripe = settings; }
+
+Expected<void> VirtualLine::useRecipe(const Recipe& recipe) {
+  Impl& i = *impl_;
+  VirtualRigSettings rig = i.settings.rig;
+  rig.rigSeed = rig.rigSeed.value_or(rig.seed);
+  if (rig.section.name == i.settings.recipe.section.name) {
+    rig.section = recipe.section;
+    rig.parameters = recipe.parameters;
+  }
+  if (const auto possible = VirtualRig::create(rig); !possible) return tl::unexpected(possible.error());
+  i.nextRecipe = recipe;
+  i.nextRig = std::move(rig);
+  i.nextStripe.reset();
+  i.snapshot.nextRecipe = recipe.name + " v" + std::to_string(recipe.version);
+  return {};
+}
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
 

@@ -32,6 +32,8 @@ class VirtualLine : public Line {
   [[nodiscard]] std::shared_ptr<LatestFrames> frames() override;
   [[nodiscard]] RigCalibration calibration() override;
   void useStripeSettings(const StripeSettings& settings) override;
+  /// The rail that the rig renders becomes the recipe's section, unless it was another one before (a wrong rail).
+  [[nodiscard]] Expected<void> useRecipe(const Recipe& recipe) override;
   [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:

@@ -79,7 +79,7 @@ TEST(VirtualRig, AnotherPassIsTheSameRailUnderTheSameRig) {
   for (const std::uint64_t trigger : {0U, 100U}) {
     for (const Dimension d : kDimensions)
       EXPECT_NEAR(a->truth(trigger).valueMm[index(d)], b->truth(trigger).valueMm[index(d)], 1e-6) << name(d);
-    EXPECT_NE(a->truth(trigger).worldFromSection.t, b->truth(trigger).worldFromSection.t) << "it wanders otherwise";
+    EXPECT_NE(a->truth(trigger).worldFromSection.xMm, b->truth(trigger).worldFromSection.xMm) << "it wanders otherwise";
   }
   EXPECT_FALSE(render(*a, 0, 0) == render(*b, 0, 0));
 }
