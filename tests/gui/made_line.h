@@ -35,10 +35,15 @@ class FakeLine : public Line {
   LineSnapshot snapshot = emptySnapshot();
   int starts = 0, stops = 0;
   bool isRunning = true;
+  std::optional<Recipe> asked;  ///< for the next rail
 
   void start() override { ++starts, isRunning = true; }
   void stop() override { ++stops, isRunning = false; }
   [[nodiscard]] bool running() const override { return isRunning; }
+  [[nodiscard]] Expected<void> useRecipe(const Recipe& recipe) override {
+    asked = recipe;
+    return {};
+  }
   [[nodiscard]] const LineSnapshot& pull(PullDetail /*detail*/) override { return snapshot; }
 };
 

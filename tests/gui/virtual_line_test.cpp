@@ -67,8 +67,7 @@ TEST(VirtualLine, AnotherRecipeIsInForceFromTheNextStartAndTheRunningRailKeepsIt
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
-        return now.latest && now.latest->registration.valid && now.rail &&
-               now.rail->dimensions[index(Dimension::RH)].measured > 0;
+        return now.latest && now.latest->measurement.dimensions[index(Dimension::RH)].valueMm;
       },
       30000));
   const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
