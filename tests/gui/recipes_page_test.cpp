@@ -208,7 +208,8 @@ std::string group(int code, double value) { return group(code, plainNumber(value
 /// 60E1 as loose lines and arcs; without the primitive of that name.
 QString drawing(const QTemporaryDir& folder, const std::string& without) {
   std::string text = group(0, "SECTION") + group(2, "ENTITIES");
-  for (const NamedPrimitive& p : findSection("60E1")->primitives) {
+  const Section section = *findSection("60E1");
+  for (const NamedPrimitive& p : section.primitives) {
     if (p.name == without) continue;
     if (const auto* arc = std::get_if<Arc>(&p.shape)) {
       const double degree = std::numbers::pi / 180, a = arc->startAngleRad, b = a + arc->sweepRad;
