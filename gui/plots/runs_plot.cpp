@@ -110,6 +110,9 @@ void RunsPlot::addLevels() {
     text->setText(level.name);
     text->setFont(uiFont(14, 500));
     text->setColor(p.t1);
+    QColor ground = p.panel2;
+    ground.setAlpha(215);  // curves beneath stay to be seen
+    text->setBrush(ground);
   }
 }
 

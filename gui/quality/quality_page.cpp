@@ -79,6 +79,8 @@ QualityPage::QualityPage(Workplace& place, QWidget* parent)
   table_->verticalHeader()->setMinimumSectionSize(kLeastRow);
   table_->setMinimumHeight(kLeastRow * static_cast<int>(kDimensionCount) + 34);
   tablePanel_->content()->addWidget(table_, 1);
+  // Said outright: beside wrapped text a nested layout forgets what its tables need.
+  tablePanel_->setMinimumHeight(table_->minimumHeight() + 62);
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
     const int row = table_->currentRow();
     if (row >= 0) choose(kDimensions[static_cast<std::size_t>(row)]);
@@ -292,7 +294,14 @@ void QualityPage::showEvent(QShowEvent* event) {
 void QualityPage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
   // The layout has its say first.
-  QMetaObject::invokeMethod(this, &QualityPage::showTable, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        showRuns();
+        showTable();
+        showFigures();
+      },
+      Qt::QueuedConnection);
 }
 
 void QualityPage::showLine(const LineSnapshot& /*line*/, PullDetail detail) {
@@ -698,8 +707,7 @@ void QualityPage::showTable() {
   const QSignalBlocker quiet(table_);
   const bool repeatability = kind_ == RunsStudyKind::Repeatability;
   const Units& units = place_.units;
-  const int decimals = units.decimals(3);
-  QStringList heads = {tr("Dimension")};
+  QStringList heads = {tr("Dim.")};
   const int width = table_->viewport()->width();
   std::size_t sections = 0, fitting = 0;
   const RepeatabilityResult* longest = nullptr;
@@ -713,7 +721,7 @@ void QualityPage::showTable() {
     fitting = std::min(sections, static_cast<std::size_t>(std::max(0, (width - kNameWidth) / kFigureWidth - 4)));
     for (std::size_t s = 0; s < fitting; ++s)
       heads << tr("%1 m").arg(std::min(longest->sections[s].toM, std::ceil(longest->positionM.back())));
-    heads << tr("mean") << QStringLiteral("s r") << QStringLiteral("r") << tr("% of T");
+    heads << tr("mean") << QStringLiteral("s r") << QStringLiteral("r") << tr("% T");
     tablePanel_->setTitle(tr("Mean range per %1 m").arg(study_ ? study_->sectionM : 10));
     tablePanel_->setNote(!study_              ? tr("as Table VI")
                          : fitting < sections ? tr("%1, as Table VI; the stretches are in the report").arg(units.name())
@@ -727,10 +735,11 @@ void QualityPage::showTable() {
   table_->setHorizontalHeaderLabels(heads);
   for (int c = 1; c < heads.size(); ++c)
     table_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  const auto mm = [&](double v) { return numberText(units.shown(v), decimals); };
-  const auto off = [&](double v) { return deviationText(units.shown(v), decimals); };
   for (int row = 0; row < static_cast<int>(kDimensionCount); ++row) {
     const Dimension d = kDimensions[static_cast<std::size_t>(row)];
+    const int decimals = units.decimals(decimalsOf(d));
+    const auto mm = [&](double v) { return numberText(units.shown(v), decimals); };
+    const auto off = [&](double v) { return deviationText(units.shown(v), decimals); };
     QStringList cells = {spoken(d)};
     QString why;
     if (study_) {

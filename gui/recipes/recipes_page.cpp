@@ -132,7 +132,9 @@ QWidget* RecipesPage::makeEdit() {
   editWords_ = makeLabel(15, 400, "t2", edit_, true);
   limits_ = new QTableWidget(static_cast<int>(kDimensionCount), 4, edit_);
   styleTable(*limits_);
+  limits_->verticalHeader()->setMinimumSectionSize(20);
   limits_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  limits_->setMinimumHeight(20 * static_cast<int>(kDimensionCount) + 36);
   limits_->setSelectionBehavior(QAbstractItemView::SelectItems);
   settings_ = new QTableWidget(0, 2, edit_);
   styleTable(*settings_);
@@ -272,6 +274,23 @@ void RecipesPage::showLine(const LineSnapshot& line, PullDetail detail) {
   if (words != onLine_->text()) onLine_->setText(words);
 }
 
+void RecipesPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // The layout has its say first.
+  QMetaObject::invokeMethod(this, &RecipesPage::shareColumns, Qt::QueuedConnection);
+}
+
+void RecipesPage::shareColumns() {
+  const auto share = [](QTableWidget* table, std::initializer_list<int> percent) {
+    int column = 0;
+    for (const int p : percent) table->setColumnWidth(column++, table->viewport()->width() * p / 100);
+  };
+  share(table_, {46, 18});
+  share(limits_, {25, 25, 25});
+  share(settings_, {70});
+  share(differences_, {34, 33});
+}
+
 QString RecipesPage::words() const { return result_->text(); }
 
 void RecipesPage::load() {
@@ -329,8 +348,6 @@ void RecipesPage::showEntries() {
     table_->setItem(i, 2, new QTableWidgetItem(wordOf(v.state)));
     against_->addItem(tr("against %1 v%2, %3").arg(shown(v.name)).arg(v.version).arg(wordOf(v.state)));
   }
-  table_->setColumnWidth(0, table_->viewport()->width() * 44 / 100);
-  table_->setColumnWidth(1, table_->viewport()->width() * 20 / 100);
   if (chosen_ >= 0) table_->selectRow(chosen_);
   compareWithOlder();
   showChosen();
@@ -380,11 +397,11 @@ void RecipesPage::showChosen() {
       limits_->setItem(i, column, item);
     }
   }
-  for (int column = 0; column < 3; ++column) limits_->setColumnWidth(column, limits_->viewport()->width() / 4);
   name_->setText(shown(entry.recipe.name));
   showSettings();
   showDifference();
   showPermission();
+  shareColumns();
 }
 
 void RecipesPage::chooseEditor(bool settings) {
@@ -407,7 +424,6 @@ void RecipesPage::showSettings() {
     settings_->setItem(i, 0, words);
     settings_->setItem(i, 1, value);
   }
-  settings_->setColumnWidth(0, settings_->viewport()->width() * 70 / 100);
 }
 
 void RecipesPage::showDifference() {
@@ -429,8 +445,6 @@ void RecipesPage::showDifference() {
       differences_->setItem(i, column, item);
     }
   }
-  differences_->setColumnWidth(0, differences_->viewport()->width() * 34 / 100);
-  differences_->setColumnWidth(1, differences_->viewport()->width() * 33 / 100);
 }
 
 void RecipesPage::showPermission() {

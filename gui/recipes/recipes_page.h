@@ -52,6 +52,7 @@ class RecipesPage : public Page {
  protected:
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeList();
@@ -64,6 +65,7 @@ class RecipesPage : public Page {
   void showDifference();
   void showPermission();
   void showSettings();
+  void shareColumns();
   void chooseEditor(bool settings);
   void saveDraft();
   void refuseAt(QTableWidget* table, int row, const QString& words);

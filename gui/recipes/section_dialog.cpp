@@ -66,6 +66,8 @@ SectionDialog::SectionDialog(Workplace& place, QWidget* parent) : QDialog(parent
   all->addWidget(drawing_, 1, 0);
   auto* side = new QVBoxLayout;
   auto* form = new QGridLayout;
+  form->setSpacing(8);
+  side->setSpacing(8);
   form->addWidget(nameWord_, 0, 0);
   form->addWidget(name_, 0, 1);
   form->addWidget(classWord_, 1, 0);
@@ -76,6 +78,7 @@ SectionDialog::SectionDialog(Workplace& place, QWidget* parent) : QDialog(parent
   side->addLayout(form);
   all->addLayout(side, 1, 1);
   auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
   buttons->addWidget(open_);
   buttons->addStretch(1);
   buttons->addWidget(make_);

@@ -112,7 +112,8 @@ TEST_F(QualityPageTest, EveryDimensionIsInTheTableAndAChosenRowIsDrawn) {
   for (const Dimension d : kDimensions) {
     const auto& is = page->studied()->dimensions[index(d)].repeatability;
     ASSERT_TRUE(is) << name(d);
-    EXPECT_EQ(table->item(static_cast<int>(index(d)), table->columnCount() - 3)->text(), numberText(is->srMm, 3))
+    EXPECT_EQ(table->item(static_cast<int>(index(d)), table->columnCount() - 3)->text(),
+              numberText(is->srMm, decimalsOf(d)))
         << name(d);
   }
   table->selectRow(static_cast<int>(index(Dimension::FTr)));
