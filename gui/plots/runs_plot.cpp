@@ -75,7 +75,7 @@ void RunsPlot::draw() {
   QCPRange y = plot_->yAxis->range();
   for (const RunLevel& level : levels_) y.expand(level.y);
   plot_->yAxis->setRange(y);
-  plot_->yAxis->scaleRange(1.2);
+  plot_->yAxis->scaleRange(levels_.isEmpty() ? 1.2 : 1.35);  // names of levels need room too
   addLevels();
   if (curves_.isEmpty() && !message_.isEmpty()) {
     auto* text = new QCPItemText(plot_);

@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::size_t kMostRails = 200;
 constexpr int kExperimentRuns = 5;  // as the paper
-constexpr int kNameWidth = 76, kFigureWidth = 66, kLeastRow = 22, kMostRow = 38;
+constexpr int kNameWidth = 76, kFigureWidth = 66, kLeastRow = 21, kMostRow = 38;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -76,11 +76,11 @@ QualityPage::QualityPage(Workplace& place, QWidget* parent)
   table_ = new QTableWidget(static_cast<int>(kDimensionCount), 0, tablePanel_);
   styleTable(*table_);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView { padding: 0px; }"));  // heads above numbers
   table_->verticalHeader()->setMinimumSectionSize(kLeastRow);
   table_->setMinimumHeight(kLeastRow * static_cast<int>(kDimensionCount) + 34);
   tablePanel_->content()->addWidget(table_, 1);
-  // Said outright: beside wrapped text a nested layout forgets what its tables need.
-  tablePanel_->setMinimumHeight(table_->minimumHeight() + 62);
+  tablePanel_->setMinimumHeight(table_->minimumHeight() + 58);
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
     const int row = table_->currentRow();
     if (row >= 0) choose(kDimensions[static_cast<std::size_t>(row)]);
@@ -218,7 +218,9 @@ QWidget* QualityPage::makeResult() {
   figures_->setWordWrap(true);
   figures_->horizontalHeader()->hide();
   figures_->verticalHeader()->setMinimumSectionSize(28);
-  figures_->setMinimumHeight(84);
+  figures_->setMinimumHeight(56);
+  // It takes what is left: beside wrapped text a layout would hold its wish for its need.
+  figures_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   figurePanel_->content()->addLayout(line);
   figurePanel_->content()->addWidget(figures_, 1);
   return figurePanel_;
@@ -329,7 +331,7 @@ void QualityPage::load() {
         if (source_ == Source::Archive && problem_.isEmpty())
           problem_ = tr("Stored runs come from the archive, and there is none (%1): start the program with --archive "
                         "FILE, or choose a file or the virtual rig above.")
-                         .arg(shown(problem));
+                         .arg(shown(place_.archiveProblem.empty() ? problem : place_.archiveProblem));
         showStudy();
         emit railsChanged();
       };
@@ -358,7 +360,7 @@ void QualityPage::showRuns() {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     item->setData(Qt::UserRole, key);
     item->setCheckState(tick || ticked.contains(key) ? Qt::Checked : Qt::Unchecked);
-    item->setToolTip(name);
+    item->setToolTip(name + QStringLiteral(", ") + when);
     runs_->setItem(row, 0, item);
     runs_->setItem(row, 1, new QTableWidgetItem(locale().toString(lengthM, 'f', 1)));
     runs_->setItem(row, 2, new QTableWidgetItem(when));
@@ -380,8 +382,11 @@ void QualityPage::showRuns() {
           run.positionM.empty() ? 0 : run.positionM.back(), from, true);
     }
   }
-  runs_->setColumnWidth(0, runs_->viewport()->width() * 36 / 100);
-  runs_->setColumnWidth(1, runs_->viewport()->width() * 24 / 100);
+  const int width = runs_->viewport()->width();
+  const bool narrow = width < 300;  // the name says which run it is; when it was goes into its tip
+  runs_->setColumnHidden(2, narrow);
+  runs_->setColumnWidth(0, width * (narrow ? 62 : 36) / 100);
+  runs_->setColumnWidth(1, width * (narrow ? 38 : 24) / 100);
 }
 
 void QualityPage::showSource() {
@@ -612,7 +617,7 @@ void QualityPage::showStudy() {
                       ? tr("A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.")
                   : place_.line.running() ? tr("Stop the line first (Ctrl+R): both need all processors.")
                                           : tr("The paper's experiment: one rail, five inspections, the truth known."));
-  const QString message = problem_.isEmpty() ? tr("No runs are compared yet") : QString();
+  const QString message = tr("No runs are compared yet");
   if (kind_ == RunsStudyKind::Repeatability)
     showRepeatability();
   else
@@ -753,7 +758,7 @@ void QualityPage::showTable() {
       } else if (!repeatability && is.accuracy) {
         const AccuracyFigures& f = is.accuracy->whole;
         cells << count(f.n) << off(f.bias) << mm(f.rms) << off(f.max)
-              << (f.maxPercent ? deviationText(*f.maxPercent, 2) : QStringLiteral("–"));
+              << (f.maxPercent && percentMeans(d) ? deviationText(*f.maxPercent, 2) : QStringLiteral("–"));
       }
       why = shown(repeatability ? is.whyNotRepeatability : is.whyNotAccuracy);
     }

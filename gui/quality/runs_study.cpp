@@ -99,6 +99,14 @@ std::optional<double> widthOf(const ToleranceLimits& limits) {
 
 }  // namespace
 
+double allowedBeyond(std::size_t n) {
+  constexpr double kBeyondTwoU = 0.0455, kQuantile = 2.576;
+  return kBeyondTwoU +
+         kQuantile * std::sqrt(kBeyondTwoU * (1 - kBeyondTwoU) / static_cast<double>(std::max<std::size_t>(n, 1)));
+}
+
+bool percentMeans(Dimension dimension) { return dimension != Dimension::HF && dimension != Dimension::FC; }
+
 std::optional<Dimension> RunsStudy::worstShare() const {
   std::optional<Dimension> worst;
   for (const Dimension d : kDimensions)
@@ -110,13 +118,14 @@ std::optional<Dimension> RunsStudy::worstShare() const {
 
 std::optional<Dimension> RunsStudy::worstAgreement() const {
   std::optional<Dimension> worst;
-  double most = -1;
+  double most = -1e9;
   for (const Dimension d : kDimensions) {
     const auto& accuracy = dimensions[index(d)].accuracy;
     if (!accuracy || accuracy->en.empty()) continue;
-    const double share = static_cast<double>(accuracy->enBeyond1) / static_cast<double>(accuracy->en.size());
-    if (share <= most) continue;
-    most = share;
+    const double over = static_cast<double>(accuracy->enBeyond1) / static_cast<double>(accuracy->en.size()) -
+                        allowedBeyond(accuracy->en.size());
+    if (over <= most) continue;
+    most = over;
     worst = d;
   }
   return worst;

@@ -29,8 +29,11 @@ struct DimensionStudy {
 
 /// Share of the tolerance that a gauge may use up (VDA 5, Q_MS).
 inline constexpr double kAllowedSharePercent = 15;
-/// Share of |E_n| above 1 that chance explains at 95 %.
-inline constexpr double kAllowedBeyond = 0.05;
+/// Share of |E_n| above 1 among `n` values of a true gauge that is still chance: 4.55 % (beyond 2 u of a normal) and
+/// the scatter of that share, one-sided at about 0.5 % since the worst of thirteen dimensions is judged.
+[[nodiscard]] double allowedBeyond(std::size_t n);
+/// A percentage of the reference says something: not of HF and FC, whose reference is about 0.
+[[nodiscard]] bool percentMeans(Dimension dimension);
 
 struct RunsStudy {
   std::vector<std::string> runs;
@@ -40,7 +43,7 @@ struct RunsStudy {
 
   /// The one that uses up most of its tolerance; empty: none has both limits and figures.
   [[nodiscard]] std::optional<Dimension> worstShare() const;
-  /// The one that disagrees most often with its reference; empty: no uncertainties are known.
+  /// The one that disagrees with its reference most, measured by what chance allows; empty: no uncertainties are known.
   [[nodiscard]] std::optional<Dimension> worstAgreement() const;
 };
 

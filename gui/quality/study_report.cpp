@@ -97,7 +97,7 @@ TableBlock accuracyTable(const RunsStudy& study) {
       row.push_back(plain(deviationText(f.bias, 4)));
       row.push_back(plain(numberText(f.rms, 4)));
       row.push_back(plain(deviationText(f.max, 4)));
-      row.push_back(f.maxPercent ? plain(deviationText(*f.maxPercent, 3)) : "-");
+      row.push_back(f.maxPercent && percentMeans(d) ? plain(deviationText(*f.maxPercent, 3)) : "-");
       row.push_back(accuracy->en.empty()
                         ? "-"
                         : std::to_string(accuracy->enBeyond1) + " / " + std::to_string(accuracy->en.size()));
@@ -170,11 +170,11 @@ StudyVerdict verdictOf(const RunsStudy& study, RunsStudyKind kind) {
                 .replace('_', ' ')};
   const AccuracyResult& r = *study.dimensions[index(*worst)].accuracy;
   const double share = static_cast<double>(r.enBeyond1) / static_cast<double>(r.en.size());
-  const bool good = share <= kAllowedBeyond;
+  const double allowed = allowedBeyond(r.en.size());
+  const bool good = share <= allowed;
   return {good ? Standing::Good : Standing::Bad, good ? StudyReport::tr("Agrees") : StudyReport::tr("Does not agree"),
-          StudyReport::tr("worst is %1: E n above 1 in %2 of its values; chance allows %3 %")
-              .arg(spoken(*worst), percent(100 * share))
-              .arg(100 * kAllowedBeyond)};
+          StudyReport::tr("worst is %1: E n above 1 in %2 of its %3 values; chance allows %4")
+              .arg(spoken(*worst), percent(100 * share), count(r.en.size()), percent(100 * allowed))};
 }
 
 std::vector<std::pair<QString, QString>> figuresOf(const RepeatabilityResult& r, Dimension dimension) {
@@ -210,7 +210,7 @@ std::vector<std::pair<QString, QString>> figuresOf(const AccuracyResult& r, Dime
   if (r.biasInterval) rows.emplace_back(StudyReport::tr("its 95 % interval"), range(*r.biasInterval));
   rows.emplace_back(StudyReport::tr("RMS error"), numberText(r.whole.rms, decimals) + QStringLiteral(" mm"));
   rows.emplace_back(StudyReport::tr("Largest error"), mm(r.whole.max));
-  if (r.whole.maxPercent)
+  if (r.whole.maxPercent && percentMeans(dimension))
     rows.emplace_back(StudyReport::tr("in % of the reference"), deviationText(*r.whole.maxPercent, 3));
   if (r.agreement) {
     rows.emplace_back(StudyReport::tr("Limits of agreement"), range(r.agreement->limits));

@@ -246,6 +246,15 @@ TEST_F(QualityPageTest, NothingIsClippedAtEitherSize) {
     QTest::qWait(0);
     EXPECT_GE(page->width(), page->minimumSizeHint().width());
     EXPECT_GE(page->height(), page->minimumSizeHint().height());
+    // A minimum alone proves nothing where wrapped text takes part: the last row is really there.
+    const auto* table = named<QTableWidget>("Every dimension; the chosen one is drawn");
+    const QTableWidgetItem* last = table->item(static_cast<int>(kDimensionCount) - 1, 0);
+    EXPECT_LE(table->visualItemRect(last).bottom(), table->viewport()->height()) << size.width();
+    const QWidget* panel = table->parentWidget();
+    EXPECT_TRUE(panel->rect().contains(table->geometry())) << size.width();
+    const auto* figures = named<QTableWidget>("Figures of the chosen dimension, formulas and constants");
+    EXPECT_LE(panel->geometry().bottom(), figures->parentWidget()->geometry().top()) << size.width();
+    EXPECT_GE(figures->height(), 56) << size.width();
     keep(QByteArray("quality-") + QByteArray::number(size.width()));
   }
   theme.setDark(true);
