@@ -178,6 +178,8 @@ TEST_F(QualityPageTest, ReportAndValuesAreWritten) {
       page->saveValues(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() > 0; }, 30000));
     EXPECT_GT(QFileInfo(file).size(), 1000) << name << ": " << page->words().toStdString();
+    if (const QByteArray kept = qgetenv("VIGNOLE_KEEP_PICTURES"); !kept.isEmpty())
+      QFile::copy(file, QString::fromLocal8Bit(kept + '/' + name));
   }
 }
 
