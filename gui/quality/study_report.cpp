@@ -1,7 +1,7 @@
 #include "gui/quality/study_report.h"
 
 #include <QCoreApplication>
-#include <cmath>
+#include <algorithm>
 
 #include "gui/theme/inscription.h"
 #include "report/dimension_text.h"
@@ -131,7 +131,8 @@ Plot rangePlot(const RepeatabilityResult& r, Dimension dimension) {
   for (std::size_t i = 0; i < r.positionM.size(); ++i) range.points.emplace_back(r.positionM[i], r.rangeMm[i]);
   plot.curves = {std::move(range)};
   for (const RepeatabilitySection& s : r.sections)
-    plot.curves.push_back({"", {{s.fromM, s.meanRangeMm}, {s.toM, s.meanRangeMm}}, 5, true, 2});
+    plot.curves.push_back(
+        {"", {{s.fromM, s.meanRangeMm}, {std::min(s.toM, r.positionM.back()), s.meanRangeMm}}, 5, true, 2});
   return plot;
 }
 
@@ -238,14 +239,16 @@ Document studyReport(const RunsStudy& study, RunsStudyKind kind, Dimension chose
   for (const std::string& run : study.runs) runs += (runs.empty() ? "" : ", ") + run;
   FactList facts;
   facts.facts = {
-      {plain(StudyReport::tr("Runs")), runs},
+      {plain(StudyReport::tr("Runs")), std::to_string(study.runs.size())},
       {plain(StudyReport::tr("Section")), recipe.section.name},
       {plain(StudyReport::tr("Tolerances")), recipe.name + " v" + std::to_string(recipe.version)},
       {plain(StudyReport::tr("Values")), plain(study.windowM > 0 ? StudyReport::tr("means over %1 m").arg(study.windowM)
-                                                                 : StudyReport::tr("single profiles"))},
-      {plain(StudyReport::tr("Conditions")), plain(conditions)}};
+                                                                 : StudyReport::tr("single profiles"))}};
   if (!repeatability) facts.facts.emplace_back(plain(StudyReport::tr("Reference")), study.reference);
   document.blocks.emplace_back(std::move(facts));
+  // Whole sentences: a column of facts would cut them.
+  document.blocks.emplace_back(Paragraph{plain(StudyReport::tr("Runs: %1.").arg(shown(runs))), true});
+  document.blocks.emplace_back(Paragraph{plain(StudyReport::tr("Conditions: %1.").arg(conditions)), true});
   const StudyVerdict verdict = verdictOf(study, kind);
   document.blocks.emplace_back(VerdictLine{verdict.standing, plain(verdict.word), plain(verdict.reason)});
   document.blocks.emplace_back(repeatability ? repeatabilityTable(study) : accuracyTable(study));

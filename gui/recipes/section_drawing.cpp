@@ -36,9 +36,9 @@ void SectionDrawing::show(const Section& section) {
   update();
 }
 
-void SectionDrawing::showOpen(std::vector<Piece> pieces, const std::optional<OutlineGap>& gap) {
+void SectionDrawing::showOpen(const std::vector<Piece>& pieces, const std::optional<OutlineGap>& gap) {
   lines_.clear();
-  for (Piece& piece : pieces) lines_.push_back({QString(), piece.shape});
+  for (const Piece& piece : pieces) lines_.push_back({QString(), piece.shape});
   closed_ = false;
   gap_ = gap;
   message_.clear();

@@ -18,7 +18,7 @@ class SectionDrawing : public QWidget {
  public:
   explicit SectionDrawing(const Theme& theme, QWidget* parent = nullptr);
   void show(const Section& section);
-  void showOpen(std::vector<Piece> pieces, const std::optional<OutlineGap>& gap);
+  void showOpen(const std::vector<Piece>& pieces, const std::optional<OutlineGap>& gap);
   void showMessage(const QString& message);
   /// Drawn broad; empty: none.
   void setChosen(const QString& primitive);
