@@ -51,6 +51,7 @@ struct LineSnapshot {
   LineState state = LineState::Idle;
   std::string error;               ///< of Fault
   const Recipe* recipe = nullptr;  ///< never null
+  std::string nextRecipe;          ///< "60E1 X/A v3", in force from the next rail; empty: the same
   std::string calibrationMethod;
   bool simulation = true;
   std::shared_ptr<const ProfileResult> latest;  ///< null: no profile yet
@@ -101,6 +102,10 @@ class Line {
   [[nodiscard]] virtual std::optional<std::uint64_t> virtualRigSeed() const { return {}; }
   /// From the next rail on; the running rail keeps what it began with. Settings are checked().
   virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
+  /// From the next rail on; the running rail keeps what it began with. Refuses what the line cannot measure.
+  [[nodiscard]] virtual Expected<void> useRecipe(const Recipe& /*recipe*/) {
+    return inputError("recipe", "this line keeps the one it was started with");
+  }
   /// Where the papers of the next rail are handed in; null: the line takes none.
   [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
 };

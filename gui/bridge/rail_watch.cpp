@@ -107,6 +107,14 @@ std::optional<std::string> RailWatch::ended() const {
   return ended_;
 }
 
+void RailWatch::forget() {
+  mailbox_.clear();
+  lastArrival_.reset();
+  const std::lock_guard lock(mutex_);
+  summariser_.reset();
+  ledger_ = {};
+}
+
 void RailWatch::restart(const std::string& calibrationId) {
   const std::lock_guard lock(mutex_);
   if (!calibrationId.empty()) calibrationId_ = calibrationId;

@@ -34,6 +34,7 @@ class RailWatch {
   [[nodiscard]] std::optional<std::string> ended() const;
   /// Before another inspection; keeps the rails that passed. Empty: the calibration is the same.
   void restart(const std::string& calibrationId = {});
+  void forget();  ///< what was measured last: the recipe is another. Between two inspections
 
  private:
   struct Absence {

@@ -38,6 +38,8 @@ class VirtualLine : public Line {
   void useCalibration(const RigCalibration& calibration) override;
   [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override;
   void useStripeSettings(const StripeSettings& settings) override;
+  /// The rail that the rig renders becomes the recipe's section, unless it was another one before (a wrong rail).
+  [[nodiscard]] Expected<void> useRecipe(const Recipe& recipe) override;
   [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:

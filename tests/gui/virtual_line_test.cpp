@@ -45,6 +45,37 @@ TEST(VirtualLine, MeasuresStopsAndMeasuresAnotherRail) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Profile).latest != last; }, 30000));
 }
 
+TEST(VirtualLine, AnotherRecipeIsInForceFromTheNextStartAndTheRunningRailKeepsItsOwn) {
+  VirtualLineSettings s = settings();
+  s.rig.varyDimensions = false;
+  auto line = VirtualLine::create(s);
+  ASSERT_TRUE(line) << line.error().message();
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  auto other = *makeRecipe("54E1", "X", "A");
+  other.version = 3;
+  ASSERT_TRUE((*line)->useRecipe(other));
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).recipe->section.name, "60E1") << "the rail in the gauge";
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).nextRecipe, "54E1 X/A v3");
+
+  (*line)->stop();
+  ASSERT_TRUE(waitForState(**line, LineState::Stopped));
+  EXPECT_EQ((*line)->pull(PullDetail::Everything).recipe->section.name, "60E1") << "shown until the next start";
+  (*line)->start();
+  const LineSnapshot& fresh = (*line)->pull(PullDetail::Profile);
+  EXPECT_EQ(fresh.recipe->section.name, "54E1");
+  EXPECT_TRUE(fresh.nextRecipe.empty());
+  EXPECT_TRUE(!fresh.latest || fresh.latest->rail->sectionName == "54E1") << "nothing of the section before";
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+        return now.latest && now.latest->measurement.dimensions[index(Dimension::RH)].valueMm;
+      },
+      30000));
+  const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+  EXPECT_NEAR(*now.latest->measurement.dimensions[index(Dimension::RH)].valueMm, 159, 0.2);
+}
+
 TEST(VirtualLine, AWrongDeviationIsSeenOnTheRail) {
   VirtualLineSettings s = settings();
   s.rig.deviationMm[index(Dimension::WT)] = 1.4;
