@@ -32,7 +32,7 @@ enum class FrameKind : std::uint8_t {
 };
 
 /// A picture of at most so many pixels, as a guard against files that lie.
-inline constexpr std::size_t kMostPixels = std::size_t{1} << 26U;
+inline constexpr std::size_t kMostPixels = std::size_t{1} << 24U;
 
 /// One per thread; buffers live from frame to frame.
 class FramePacker {
