@@ -249,13 +249,15 @@ Expected<void> VirtualLine::useRecipe(const Recipe& recipe) {
   Impl::Change wanted = i.change();
   VirtualRigSettings rig = wanted.rig.value_or(i.settings.rig);
   rig.rigSeed = rig.rigSeed.value_or(rig.seed);
-  if (rig.section.name == wanted.recipe.section.name) {
+  // A rail that is rendered wrong on purpose stays wrong.
+  const bool right = rig.section.name == wanted.recipe.section.name;
+  if (right && toJson(recipe.section) != toJson(rig.section)) {
     rig.section = recipe.section;
     rig.parameters = recipe.parameters;
+    if (const auto possible = VirtualRig::create(rig); !possible) return tl::unexpected(possible.error());
+    wanted.rig = std::move(rig);
   }
-  if (const auto possible = VirtualRig::create(rig); !possible) return tl::unexpected(possible.error());
   wanted.recipe = recipe;
-  wanted.rig = std::move(rig);
   i.snapshot.nextStripe.reset();
   i.snapshot.nextRecipe = recipe.name + " v" + std::to_string(recipe.version);
   i.ask(std::move(wanted));

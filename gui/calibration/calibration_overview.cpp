@@ -201,6 +201,8 @@ void CalibrationOverview::showHistory() {
                              ? tr("None is kept yet. The first is kept when a rail is measured or a wizard ends.")
                              : QString());
   historyWords_->setVisible(!historyWords_->text().isEmpty());
+  const bool keeps = desk_.problem().isEmpty();
+  for (QWidget* w : std::initializer_list<QWidget*>{history_, reason_, revert_}) w->setVisible(keeps);
   const QSignalBlocker quiet(history_);
   const std::string inForce = place_.line.calibration().id;
   const auto& all = desk_.all();

@@ -48,7 +48,8 @@ StudyPanel::StudyPanel(Workplace& place, QWidget* parent) : QWidget(parent), pla
   factors_->verticalHeader()->setDefaultSectionSize(44);
   factors_->setFixedHeight(4 * 44 + 36);
   for (int row = 0; row < factors_->rowCount(); ++row) {
-    auto* name = new QTableWidgetItem(QLatin1String(kFactors[static_cast<std::size_t>(row)].name));
+    auto* name = new QTableWidgetItem;
+    name->setData(Qt::UserRole, QLatin1String(kFactors[static_cast<std::size_t>(row)].name));
     name->setFlags(Qt::ItemIsEnabled);
     factors_->setItem(row, 0, name);
     factors_->setItem(row, 1, new QTableWidgetItem(QLatin1String(kFactors[static_cast<std::size_t>(row)].levels)));
@@ -125,6 +126,8 @@ void StudyPanel::retranslate() {
   resultPanel_->setTitle(tr("Main effects"));
   factors_->setHorizontalHeaderLabels({tr("Setting"), tr("Levels")});
   factors_->setAccessibleName(tr("Settings and their levels"));
+  const QStringList words = {tr("Exposure, ms"), tr("Smoothing σ, px"), tr("Ellipses a pin"), tr("Fit")};
+  for (int row = 0; row < factors_->rowCount(); ++row) factors_->item(row, 0)->setText(words[row]);
   influence_->setAccessibleName(tr("Influence of each setting"));
   countWord_->setText(tr("Placements of the plate"));
   count_->setAccessibleName(tr("Placements of the plate for the study"));
@@ -153,7 +156,7 @@ void StudyPanel::showLine(const LineSnapshot& line) {
 
 void StudyPanel::setLevels(const QString& factor, const QString& levels) {
   for (int row = 0; row < factors_->rowCount(); ++row)
-    if (factors_->item(row, 0)->text() == factor) factors_->item(row, 1)->setText(levels);
+    if (factors_->item(row, 0)->data(Qt::UserRole) == factor) factors_->item(row, 1)->setText(levels);
 }
 
 std::string StudyPanel::planText() const {
@@ -170,7 +173,7 @@ std::string StudyPanel::planText() const {
     }
     if (levels.size() > 1)
       text += QStringLiteral("[[factor]]\nname = \"%1\"\nlevels = [%2]\n")
-                  .arg(factors_->item(row, 0)->text(), levels.join(QStringLiteral(", ")));
+                  .arg(factors_->item(row, 0)->data(Qt::UserRole).toString(), levels.join(QStringLiteral(", ")));
   }
   return text.toStdString();
 }

@@ -94,7 +94,7 @@ QualityPage::QualityPage(Workplace& place, QWidget* parent)
   grid->addWidget(upperPanel_, 0, 1);
   grid->addWidget(lowerPanel_, 1, 1);
   auto* right = new QVBoxLayout;
-  right->setSpacing(16);
+  right->setSpacing(12);
   right->addWidget(tablePanel_, 3);
   right->addWidget(makeResult(), 2);
   grid->addLayout(right, 0, 2, 2, 1);

@@ -25,6 +25,7 @@
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -186,6 +187,8 @@ QWidget* RecipesPage::makeDecision() {
   styleTable(*differences_);
   differences_->setSelectionMode(QAbstractItemView::NoSelection);
   differences_->verticalHeader()->setDefaultSectionSize(32);
+  differences_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  differences_->setMinimumHeight(96);
   same_ = makeLabel(16, 400, "t2", difference_, true);
   difference_->content()->addWidget(against_);
   difference_->content()->addWidget(same_);
@@ -204,8 +207,8 @@ QWidget* RecipesPage::makeDecision() {
     decision_->content()->addWidget(w);
   connect(approve_, &QPushButton::clicked, this, &RecipesPage::approve);
   connect(use_, &QPushButton::clicked, this, &RecipesPage::useForNextRail);
-  column->addWidget(difference_, 3);
-  column->addWidget(decision_, 2);
+  column->addWidget(difference_, 1);
+  column->addWidget(decision_);
   decision_->content()->addStretch(1);
   return side;
 }
@@ -295,7 +298,7 @@ QString RecipesPage::words() const { return result_->text(); }
 void RecipesPage::load() {
   reader_->ask("load", [this](const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
     std::vector<Entry> entries;
-    std::string words;
+    std::string words, noArchive;
     if (archive != nullptr) {
       const RecipeHistory history(*archive);
       const auto names = history.names();
@@ -312,7 +315,7 @@ void RecipesPage::load() {
         }
       }
     } else {
-      words = "there is no archive (" + problem + "): recipes are read, drafts cannot be kept";
+      noArchive = problem;
     }
     for (const std::string& name : recipeNames())
       if (auto recipe = findRecipe(name)) {
@@ -323,10 +326,11 @@ void RecipesPage::load() {
         version.note = recipe->note;
         entries.push_back({version, std::move(*recipe)});
       }
-    return [this, entries = std::move(entries), words] {
+    return [this, entries = std::move(entries), words, noArchive] {
       entries_ = entries;
-      empty_->setText(shown(words));
-      empty_->setVisible(!words.empty());
+      empty_->setText(noArchive.empty() ? inWords(words)
+                                        : tr("Recipes are read, drafts cannot be kept: %1.").arg(inWords(noArchive)));
+      empty_->setVisible(!empty_->text().isEmpty());
       chosen_ = entries_.empty() ? -1 : 0;
       for (int i = 0; i < static_cast<int>(entries_.size()); ++i)
         if (wanted_ != 0 && entries_[static_cast<std::size_t>(i)].version.key == wanted_) chosen_ = i;

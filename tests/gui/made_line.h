@@ -38,7 +38,7 @@ class FakeLine : public Line {
   std::shared_ptr<LatestFrames> pictures;  ///< null: hands out none
   RigCalibration rig;
   std::optional<StripeSettings> used;  ///< what was last asked for the next rail
-  std::optional<Recipe> asked;  ///< for the next rail
+  std::optional<Recipe> asked;         ///< for the next rail
 
   void start() override { ++starts, isRunning = true; }
   void stop() override { ++stops, isRunning = false; }

@@ -1,5 +1,7 @@
 #include "gui/bridge/virtual_line.h"
 
+#include <QAbstractButton>
+#include <QMessageBox>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -123,6 +125,37 @@ TEST(VirtualLine, OtherStripeSettingsComeWithTheNextRailAndNoRailIsCutShort) {
   EXPECT_EQ(after.triggers.seen, after.triggers.measured + after.triggers.incomplete + after.triggers.lost);
 }
 
+TEST(VirtualLine, AnotherRecipeComesWithTheNextRailWhetherItsSectionIsTheSameOrNot) {
+  VirtualLineSettings s = settings();
+  s.railLengthMm = 1500;
+  auto line = VirtualLine::create(s);
+  ASSERT_TRUE(line) << line.error().message();
+  (*line)->start();
+  ASSERT_TRUE(waitForState(**line, LineState::Measuring));
+  for (const char* section : {"60E1", "54E1"}) {
+    auto other = *makeRecipe(section, "Y", "B");
+    other.version = 4;
+    const std::string before = (*line)->pull(PullDetail::Everything).recipe->name;
+    ASSERT_TRUE((*line)->useRecipe(other));
+    EXPECT_EQ((*line)->pull(PullDetail::Everything).recipe->name, before) << "the running rail keeps its own";
+    bool always = true;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+          always = always && (*line)->running() && now.state != LineState::Stopped && now.state != LineState::Fault;
+          return now.recipe->name == other.name && now.nextRecipe.empty() && now.latest && now.rail &&
+                 now.rail->dimensions[index(Dimension::RH)].values.count() > 3;
+        },
+        30000))
+        << section;
+    EXPECT_TRUE(always) << "nobody has to stop and start";
+    const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
+    EXPECT_EQ(now.latest->rail->sectionName, section);
+    EXPECT_NEAR(now.rail->dimensions[index(Dimension::RH)].meanMm(),
+                now.rail->dimensions[index(Dimension::RH)].nominalMm, 1.5);
+  }
+}
+
 TEST(VirtualLine, AChangeThatAStopOvertakesComesWithTheNextStart) {
   auto line = VirtualLine::create(settings());
   ASSERT_TRUE(line) << line.error().message();
@@ -182,7 +215,7 @@ TEST(VirtualLine, MeasuresWithAnotherCalibrationFromTheNextStartOn) {
   EXPECT_EQ((*line)->calibration().id, other.id);
   EXPECT_EQ((*line)->pull(PullDetail::Everything).rail->calibrationId, exact) << "the running rail keeps its own";
   EXPECT_NE((*line)->pull(PullDetail::Everything).calibrationMethod, "joint");
-  const double before = (*line)->pull(PullDetail::Everything).rail->dimensions[index(Dimension::FTr)].meanMm;
+  const double before = (*line)->pull(PullDetail::Everything).rail->dimensions[index(Dimension::FTr)].meanMm();
   (*line)->stop();
   ASSERT_TRUE(waitForState(**line, LineState::Stopped));
   (*line)->start();
@@ -190,12 +223,12 @@ TEST(VirtualLine, MeasuresWithAnotherCalibrationFromTheNextStartOn) {
       [&] {
         const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
         return now.state == LineState::Measuring && now.rail && now.rail->calibrationId == other.id &&
-               now.rail->dimensions[index(Dimension::FTr)].count > 5;
+               now.rail->dimensions[index(Dimension::FTr)].values.count() > 5;
       },
       30000));
   const LineSnapshot& now = (*line)->pull(PullDetail::Everything);
   EXPECT_EQ(now.calibrationMethod, "joint");
-  EXPECT_GT(std::abs(now.rail->dimensions[index(Dimension::FTr)].meanMm - before), 0.2)
+  EXPECT_GT(std::abs(now.rail->dimensions[index(Dimension::FTr)].meanMm() - before), 0.2)
       << "the camera stands elsewhere";
   ASSERT_TRUE(now.drift);
   EXPECT_TRUE(now.drift->latest.learning);
@@ -213,7 +246,11 @@ TEST(VirtualLine, ClosingTheWindowWhileMeasuringStopsCleanly) {
   window.show();
   window.startTicking();
   ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Profile).latest != nullptr; }, 30000));
-  EXPECT_TRUE(window.close());
+  EXPECT_FALSE(window.close()) << "asks first";
+  ASSERT_NE(window.question(), nullptr);
+  for (QAbstractButton* button : window.question()->buttons())
+    if (button->accessibleName() == "Close now") button->click();
+  EXPECT_FALSE(window.isVisible());
   EXPECT_TRUE(QTest::qWaitFor([&] { return !(*line)->running(); }, 10000));
 }
 
