@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -23,7 +24,7 @@ namespace vignole {
 
 namespace {
 
-constexpr int kBehindMeasuring = 5;  // niceness on a live line: who measures goes first
+constexpr int kBehindMeasuring = 10;  // niceness on a live line: who measures goes first
 
 struct FrameItem {
   Frame frame;
@@ -243,7 +244,6 @@ void FrameRecorder::extracted(const Frame& frame, const StripeResult& stripe) {
   Impl& i = *impl_;
   if (!i.recording || frame.camera < 0 || frame.camera >= kCameraCount) return;
   const auto c = static_cast<std::size_t>(frame.camera);
-  const std::uint64_t digest = i.digests[c].of(stripe);
   std::unique_lock lock(i.mutex);
   if (!i.recording || frame.trigger < i.from) return;
   Impl::Stream& stream = i.streams[c];
@@ -260,7 +260,13 @@ void FrameRecorder::extracted(const Frame& frame, const StripeResult& stripe) {
     return;
   }
   ++stream.waiting;
-  i.put(FrameItem{frame, digest, recordingTimeUs()});
+  lock.unlock();
+  const std::uint64_t digest = i.digests[c].of(stripe);
+  lock.lock();
+  if (i.recording)
+    i.put(FrameItem{frame, digest, recordingTimeUs()});
+  else
+    --stream.waiting;
 }
 
 // ---- packing
