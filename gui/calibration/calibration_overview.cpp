@@ -75,7 +75,7 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   history_ = new QTableWidget(0, 4, historyPanel_);
   styleTable(*history_);
   history_->setIconSize({16, 16});
-  history_->setMinimumHeight(76);
+  history_->setMinimumHeight(112);
   history_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   history_->verticalHeader()->setDefaultSectionSize(36);
   for (const int column : {0, 3}) history_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
@@ -110,7 +110,7 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   };
   stacked(inForcePanel_, 4, wizardPanel_, 5, 4);
   columns->addWidget(worthPanel_, 5);
-  stacked(historyPanel_, 2, drift_, 4, 7);
+  stacked(historyPanel_, 3, drift_, 4, 7);
   connect(&desk_, &CalibrationDesk::changed, this, &CalibrationOverview::showHistory);
   connect(&place_.session, &Session::changed, this, &CalibrationOverview::showChoice);
   connect(&place_.units, &Units::changed, this, &CalibrationOverview::showWorth);
@@ -225,7 +225,8 @@ void CalibrationOverview::showHistory() {
     put(1, kept.ofThisRig ? shown(kept.entry.method) : tr("of another rig"));
     put(2, timeText(kept.entry.storedUs));
     const bool used = use != desk_.uses().end();
-    put(3, used ? shown(use->user + ": " + use->reason) : shown(kept.entry.storedBy + ": " + kept.entry.reason));
+    const std::string& by = used ? use->user : kept.entry.storedBy;
+    put(3, shown((by.empty() ? "" : by + ": ") + (used ? use->reason : kept.entry.reason)));
   }
   showInForce();
   showChoice();
