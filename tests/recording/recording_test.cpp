@@ -147,14 +147,24 @@ TEST(Recording, ARecordingThatWasCutOffMeasuresAsFarAsItGoes) {
   const RecordingFolder folder;
   const auto whole = opened(made().file);
   const auto place = std::find_if(whole->chunks().begin(), whole->chunks().end(), [](const ChunkPlace& c) {
-    return c.head.kind == ChunkKind::Frame && c.head.trigger == 8;
+    return c.head.kind == ChunkKind::Frame && c.head.trigger == 20;
   });
+  // Cameras are some triggers apart in the file; of those before this one it has all.
+  std::uint64_t complete = 20;
+  for (auto c = place; c != whole->chunks().end(); ++c)
+    if (c->head.kind == ChunkKind::Frame || c->head.kind == ChunkKind::Lost)
+      complete = std::min(complete, c->head.trigger);
   writeBytes(folder.file("cut.vgr"), made().bytes.substr(0, place->offset + 100));
   const RunResult again = replay(folder.file("cut.vgr"));
-  ASSERT_GE(again.profiles.size(), 5U);
-  ASSERT_EQ(again.rails.size(), 2U);
+  ASSERT_GE(again.rails.size(), 2U);
   EXPECT_EQ(again.triggers.seen, again.triggers.measured + again.triggers.incomplete + again.triggers.lost);
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(again.profiles[i], made().live.profiles[i]);
+  constexpr std::uint64_t kMissedAtMost = 3;  // triggers in a row that a camera may have missed before the cut
+  for (std::size_t i = 0; i < made().live.profiles.size(); ++i) {
+    const std::string& profile = made().live.profiles[i];
+    if (std::stoull(profile) + kMissedAtMost >= complete) break;
+    ASSERT_LT(i, again.profiles.size());
+    EXPECT_EQ(again.profiles[i], profile);
+  }
 }
 
 TEST(Recording, ADamagedChunkCostsItselfAndIsToldAsLost) {
