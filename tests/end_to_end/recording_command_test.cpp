@@ -202,7 +202,7 @@ TEST(RecordingCommand, AnInterruptedRunLeavesAClosedRecordingAKilledOneAReadable
       EXPECT_GT(info["frames"], 40);
       const ProgramResult again = run(replayed(folder, name + ".part", "b.csv", {"--json", "-"}));
       EXPECT_EQ(again.exitCode, 0) << again.err;
-      EXPECT_GT(json::parse(again.out)["triggers"]["measured"], 10);
+      EXPECT_GT(json::parse(again.out)["triggers"]["measured"], 0);
     }
   }
 }
