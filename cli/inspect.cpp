@@ -18,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/inspect_output.h"
 #include "cli/interruption.h"
+#include "cli/recording_options.h"
 #include "cli/report_files.h"
 #include "engine/archive/rail_writer.h"
 #include "engine/files/atomic_file.h"
@@ -38,7 +39,8 @@ struct Options {
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> rigSeed;
   std::vector<std::string> effects, deviations, faults, reports;
-  bool paced = false, quiet = false;
+  RecordOptions recordOptions;
+  bool paced = false, quiet = false, recipeGiven = false;
 };
 
 Expected<void> refuseWhatIsNotThere(const Options& o) {
@@ -46,10 +48,16 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
     return inputError(option, "comes with " + with + ", which this version does not have; use --source virtual");
   };
   if (o.source == "gige") return later("--source gige", "the GigE Vision cameras");
-  if (o.source == "recording" || !o.recording.empty()) return later("--recording", "recordings");
   if (!o.address.empty()) return later("--address", "the GigE Vision cameras");
-  if (!o.record.empty())
-    return inputError("--record", "comes with recordings, which this version does not have; leave it out");
+  if (o.source != "recording" && !o.recording.empty())
+    return inputError("--recording", "is measured with --source recording; give that too");
+  if (o.source == "recording") {
+    if (o.recording.empty()) return inputError("--source recording", "needs --recording FILE");
+    for (const auto& [option, words] :
+         {std::pair{"--effect", &o.effects}, {"--deviation", &o.deviations}, {"--fault", &o.faults}})
+      if (!words->empty()) return inputError(option, "is for the virtual rig; a recording shows what the cameras saw");
+  }
+  if (auto possible = checkRecordOptions(o.recordOptions, o.record); !possible) return possible;
   for (const std::string& file : o.reports)
     if (auto known = checkReportFile(file); !known) return known;
   return {};
@@ -67,6 +75,40 @@ Expected<std::shared_ptr<const VirtualRig>> makeRig(const Options& o, const Reci
   if (const auto applied = applyWords(settings, o.effects, o.deviations, o.faults); !applied)
     return tl::unexpected(applied.error());
   return VirtualRig::create(std::move(settings));
+}
+
+/// The words that made the virtual rig, as a recording keeps them: with them its truth is known again.
+std::string originOf(const Options& o) {
+  nlohmann::ordered_json words = {{"seed", o.seed},
+                                  {"spacing_mm", o.spacingMm},
+                                  {"speed_m_per_s", o.speedMPerS},
+                                  {"temperature_c", o.temperatureC},
+                                  {"effects", o.effects},
+                                  {"deviations", o.deviations},
+                                  {"faults", o.faults}};
+  if (o.rigSeed) words["rig_seed"] = *o.rigSeed;
+  return words.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Null where the recording is of another source, or of a rig that this version does not make.
+std::shared_ptr<const VirtualRig> rigOfOrigin(const RecordedSetup& setup) {
+  if (setup.source != "virtual") return nullptr;
+  Options o;
+  try {
+    const auto words = nlohmann::json::parse(setup.origin);
+    o.seed = words.at("seed").get<std::uint64_t>();
+    if (words.contains("rig_seed")) o.rigSeed = words.at("rig_seed").get<std::uint64_t>();
+    o.spacingMm = words.at("spacing_mm").get<double>();
+    o.speedMPerS = words.at("speed_m_per_s").get<double>();
+    o.temperatureC = words.at("temperature_c").get<double>();
+    o.effects = words.at("effects").get<std::vector<std::string>>();
+    o.deviations = words.at("deviations").get<std::vector<std::string>>();
+    o.faults = words.at("faults").get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception&) {
+    return nullptr;
+  }
+  const auto rig = makeRig(o, setup.recipe);
+  return rig ? *rig : nullptr;
 }
 
 /// A calibration of other cameras would give numbers that mean nothing.
@@ -117,7 +159,7 @@ class Collector {
 
   InspectionObserver observer() {
     return {[this](const RailBegin& rail) { begin(rail); }, [this](const ProfileResult& result) { add(result); },
-            [this](const RailBegin&, const TriggerLedger& ledger) { end(ledger); },
+            [this](const RailBegin& rail, const TriggerLedger& ledger) { end(rail, ledger); },
             [this](const std::string& message) { finish(message); }};
   }
 
@@ -146,6 +188,8 @@ class Collector {
     inspection_ = &inspection;
     setup_ = std::make_shared<const MeasuringSetup>(MeasuringSetup{recipe_, calibration_});
   }
+  /// Before the start: it is told of every rail's verdict.
+  void tell(std::shared_ptr<FrameRecorder> recorder) { recorder_ = std::move(recorder); }
   /// Until all is on disk. The inspection is not asked any more.
   Expected<void> closeArchive() {
     inspection_ = nullptr;
@@ -172,7 +216,7 @@ class Collector {
     ++profileOfRail_;
     if (result.registration.valid) {
       ++registered;
-      accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
+      if (rig_) accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
       if (const double s = severity(result.measurement); s > severity_) {
         severity_ = s;
         example_ = result;
@@ -183,11 +227,12 @@ class Collector {
     progress_.update(static_cast<double>(profiles) / profilesExpected_, std::to_string(profiles) + " profiles");
   }
 
-  void end(const TriggerLedger& ledger) {
+  void end(const RailBegin& rail, const TriggerLedger& ledger) {
     if (archive_)
       archive_->end(ledger, inspection_ != nullptr ? inspection_->stages() : std::vector<StageStatistics>());
     rails.push_back({summariser_->summary(ledger), recipe_.section.name});
     rails.back().summary.calibrationWarning = calibrationWarning_;
+    if (recorder_) recorder_->railPassed(rail, rails.back().summary.verdict);
     if (drift.endRail().alarm() && !firstDriftRail) firstDriftRail = rails.size();
     examples.push_back(std::move(example_));
     example_.reset();
@@ -208,6 +253,7 @@ class Collector {
   std::optional<AtomicFile> csv_;
   std::unique_ptr<RailWriter> archive_;
   const Inspection* inspection_ = nullptr;
+  std::shared_ptr<FrameRecorder> recorder_;
   std::shared_ptr<const MeasuringSetup> setup_;
   Progress& progress_;
   double profilesExpected_;
@@ -320,15 +366,37 @@ int inspect(const Options& o) {
   // Before any other thread is made: they inherit that they are not to be interrupted.
   const Interruption interruption([&stopSwitch] { stopSwitch.stop(); });
   if (const auto possible = refuseWhatIsNotThere(o); !possible) return fail(possible.error());
-  const auto recipe = findRecipe(o.recipe);
+  std::optional<RecordedRun> recorded;
+  if (o.source == "recording") {
+    auto opened = RecordedRun::open(o.recording, o.paced);
+    if (!opened) return fail(opened.error());
+    recorded = std::move(*opened);
+  }
+  const auto recipe = recorded && !o.recipeGiven ? recorded->recipe() : findRecipe(o.recipe);
   if (!recipe) return fail(recipe.error());
-  const auto rig = makeRig(o, *recipe);
-  if (!rig) return fail(rig.error());
-  RigCalibration calibration = (*rig)->calibration();
+  std::shared_ptr<const VirtualRig> rig;
+  RigCalibration calibration;
+  if (recorded) {
+    if (const auto allowed = recorded->recording().allows(recipe->stripe); !allowed) return fail(allowed.error());
+    if (recorded->setup()) {
+      rig = rigOfOrigin(*recorded->setup());
+      calibration = recorded->setup()->calibration;
+    } else if (o.calibration.empty()) {
+      return fail({o.recording, "does not say any more with which calibration it was recorded; give --calibration"});
+    }
+    recorded->warn();
+  } else {
+    const auto made = makeRig(o, *recipe);
+    if (!made) return fail(made.error());
+    rig = *made;
+    calibration = rig->calibration();
+  }
   if (!o.calibration.empty()) {
     auto loaded = loadCalibration(o.calibration);
     if (!loaded) return fail(loaded.error());
-    if (const auto fits = checkFits(*loaded, calibration, o.calibration); !fits) return fail(fits.error());
+    const bool known = !recorded || recorded->setup();
+    if (const auto fits = known ? checkFits(*loaded, calibration, o.calibration) : Expected<void>(); !fits)
+      return fail(fits.error());
     calibration = std::move(*loaded);
   }
   const CalibrationAge age =
@@ -346,13 +414,27 @@ int inspect(const Options& o) {
   if (!archive) return fail(archive.error());
 
   InspectionOutcome outcome;
-  const auto source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
+  auto source = recorded ? recorded->source() : makeVirtualSource(rig, {o.rails, 1000 * o.lengthM, o.paced});
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
-  const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
-  Collector collected(*recipe, calibration, warning, *rig, std::move(csv), *progress, expected);
+  const double expected =
+      recorded ? recorded->triggers() : std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
+  Collector collected(*recipe, calibration, warning, rig, std::move(csv), *progress, expected);
+  InspectionObserver observer = collected.observer();
+  std::shared_ptr<FrameRecorder> recorder;
+  if (!o.record.empty()) {
+    recorder = std::make_shared<FrameRecorder>(FrameRecorderSettings{.live = source->live()});
+    RecordedSetup setup{VIGNOLE_VERSION, stripeSimdTarget(), o.source, {}, o.recordOptions.whole, *recipe, calibration};
+    setup.origin = recorded ? (recorded->setup() ? recorded->setup()->origin : std::string()) : originOf(o);
+    if (recorded && recorded->setup()) setup.source = recorded->setup()->source;
+    if (auto started = recorder->start(recordingOrder(o.recordOptions, o.record, std::move(setup))); !started)
+      return fail(started.error());
+    source = tapped(std::move(source), recorder);
+    observer = tapped(std::move(observer), recorder);
+    collected.tell(recorder);
+  }
   {
     const auto start = Clock::now();
-    Inspection inspection(*source, *recipe, calibration, collected.observer());
+    Inspection inspection(*source, *recipe, calibration, std::move(observer));
     const StopSwitch::Connection connection(stopSwitch, inspection);
     if (*archive) collected.writeInto(std::move(*archive), inspection);
     inspection.start();
@@ -365,6 +447,7 @@ int inspect(const Options& o) {
     outcome.triggers = inspection.triggers();
     outcome.stages = inspection.stages();
   }
+  const auto kept = recorder ? recorder->stop() : Expected<void>();
   progress.reset();
   const auto archived = collected.closeArchive();
   outcome.rails = collected.rails;
@@ -373,10 +456,14 @@ int inspect(const Options& o) {
   outcome.calibrationAge = age;
   outcome.drift = collected.drift.indicators();
   outcome.firstDriftRail = collected.firstDriftRail;
-  outcome.effects = list((*rig)->settings().effects);
-  outcome.accuracy = &collected.accuracy;
+  if (rig) {
+    outcome.effects = list(rig->settings().effects);
+    outcome.accuracy = &collected.accuracy;
+  }
+  if (recorder) outcome.recorded = recorder->state();
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
   if (!archived) return fail(archived.error());
+  if (!kept) return fail(kept.error());
   return judge(o, collected, outcome);
 }
 
@@ -395,8 +482,12 @@ void addInspect(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"virtual", "gige", "recording"}))
       ->capture_default_str();
   command->add_option("--recording", o->recording, "recording to measure (with --source recording)");
-  command->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]")->capture_default_str();
-  command->add_option("--calibration", o->calibration, "calibration file; default: the virtual rig's exact one");
+  const auto* recipe =
+      command
+          ->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]; of a recording: its own")
+          ->capture_default_str();
+  command->add_option("--calibration", o->calibration,
+                      "calibration file; default: the virtual rig's exact one, a recording's own");
   command->add_option("--rails", o->rails, "rails to measure")->check(CLI::Range(1, 1000000))->capture_default_str();
   command->add_option("--length", o->lengthM, "length of a rail, m")
       ->check(CLI::Range(0.001, 1e5))
@@ -415,14 +506,17 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--deviation", o->deviations, "DIM=MM: constant deviation of a dimension (repeatable)");
   command->add_option("--fault", o->faults, "KIND[=VALUE][@CAMERA][:FROM-TO] (repeatable)");
   command->add_option("--archive", o->archive, "file (or sqlite:FILE) of the archive to store the rails in");
-  command->add_option("--record", o->record, "file to record the frames in");
+  addRecordOptions(*command, o->record, o->recordOptions);
   command->add_option("--report", o->reports, "FILE.pdf or FILE.png (repeatable)");
   command->add_option("--csv", o->csv, "file: one row a profile");
   command->add_option("--json", o->json, "file, or - for stdout");
   command->add_option("--seconds", o->seconds, "stop after that time")->check(CLI::Range(0.0, 1e9));
   command->add_flag("--paced", o->paced, "in real time, as a live source");
   command->add_flag("--quiet", o->quiet, "no progress on the terminal");
-  command->callback([o, &exitCode] { exitCode = inspect(*o); });
+  command->callback([o, recipe, &exitCode] {
+    o->recipeGiven = recipe->count() > 0;
+    exitCode = inspect(*o);
+  });
 }
 
 }  // namespace vignole::cli
