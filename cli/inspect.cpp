@@ -18,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/inspect_output.h"
 #include "cli/interruption.h"
+#include "cli/live_line.h"
 #include "cli/report_files.h"
 #include "engine/archive/rail_writer.h"
 #include "engine/files/atomic_file.h"
@@ -31,9 +32,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string source = "virtual", recording, recipe = "60E1 X/A", calibration, address, archive, record, csv, json;
+  std::string source = "virtual", recording, recipe = "60E1 X/A", calibration, address, site, archive, record, csv,
+              json;
   int rails = 1;
   double lengthM = 60, speedMPerS = 1, spacingMm = 15, temperatureC = 20;
+  bool railsGiven = false, lengthGiven = false, spacingGiven = false;
   std::optional<double> seconds;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> rigSeed;
@@ -45,9 +48,14 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
   const auto later = [](const char* option, const std::string& with) {
     return inputError(option, "comes with " + with + ", which this version does not have; use --source virtual");
   };
-  if (o.source == "gige") return later("--source gige", "the GigE Vision cameras");
   if (o.source == "recording" || !o.recording.empty()) return later("--recording", "recordings");
-  if (!o.address.empty()) return later("--address", "the GigE Vision cameras");
+  if (o.source != "gige" && !o.address.empty()) return inputError("--address", "is of cameras; add --source gige");
+  if (o.source != "gige" && !o.site.empty()) return inputError("--site", "is of cameras; add --source gige");
+  if (o.source == "gige" && !(o.effects.empty() && o.deviations.empty() && o.faults.empty()))
+    return inputError(!o.effects.empty()      ? "--effect"
+                      : !o.deviations.empty() ? "--deviation"
+                                              : "--fault",
+                      "is of the virtual rig; give it to simulate serve");
   if (!o.record.empty())
     return inputError("--record", "comes with recordings, which this version does not have; leave it out");
   for (const std::string& file : o.reports)
@@ -172,7 +180,7 @@ class Collector {
     ++profileOfRail_;
     if (result.registration.valid) {
       ++registered;
-      accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
+      if (rig_) accuracy.add(result.measurement, rig_->truth(result.profile.trigger));
       if (const double s = severity(result.measurement); s > severity_) {
         severity_ = s;
         example_ = result;
@@ -275,12 +283,56 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
   return code;
 }
 
+/// Where the frames come from, and what they are measured with.
+struct Input {
+  std::unique_ptr<FrameSource> source;
+  RigCalibration calibration;
+  std::string calibrationName;
+  std::shared_ptr<const VirtualRig> rig;  ///< null unless it is the source
+  const GigeSource* cameras = nullptr;    ///< null unless they are the source
+};
+
+Expected<Input> openInput(const Options& o, const Recipe& recipe) {
+  Input input;
+  if (o.source == "gige") {
+    LiveLineOptions live;
+    live.site = o.site;
+    live.address = o.address;
+    live.calibration = o.calibration;
+    live.rails = !o.railsGiven && o.seconds ? 0 : static_cast<std::uint64_t>(o.rails);
+    if (o.lengthGiven) live.lengthM = o.lengthM;
+    if (o.spacingGiven) live.spacingMm = o.spacingMm;
+    live.temperatureC = o.temperatureC;
+    auto line = openLiveLine(live);
+    if (!line) return tl::unexpected(line.error());
+    input.cameras = line->source.get();
+    input.source = std::move(line->source);
+    input.calibration = std::move(line->calibration);
+    input.calibrationName = std::move(line->calibrationName);
+    return input;
+  }
+  auto rig = makeRig(o, recipe);
+  if (!rig) return tl::unexpected(rig.error());
+  input.rig = *rig;
+  input.calibration = (*rig)->calibration();
+  input.calibrationName = o.calibration;
+  if (!o.calibration.empty()) {
+    auto loaded = loadCalibration(o.calibration);
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (const auto fits = checkFits(*loaded, input.calibration, o.calibration); !fits)
+      return tl::unexpected(fits.error());
+    input.calibration = *std::move(loaded);
+  }
+  input.source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
+  return input;
+}
+
 /// None where none is asked for.
 Expected<std::unique_ptr<RailWriter>> openArchive(const Options& o) {
   if (o.archive.empty()) return nullptr;
   RailWriterSettings settings;
   settings.place = {"line 1", o.source, VIGNOLE_VERSION, stripeSimdTarget()};
-  settings.live = o.paced;
+  settings.live = o.paced || o.source == "gige";
   return RailWriter::open(o.archive, settings);
 }
 
@@ -322,19 +374,13 @@ int inspect(const Options& o) {
   if (const auto possible = refuseWhatIsNotThere(o); !possible) return fail(possible.error());
   const auto recipe = findRecipe(o.recipe);
   if (!recipe) return fail(recipe.error());
-  const auto rig = makeRig(o, *recipe);
-  if (!rig) return fail(rig.error());
-  RigCalibration calibration = (*rig)->calibration();
-  if (!o.calibration.empty()) {
-    auto loaded = loadCalibration(o.calibration);
-    if (!loaded) return fail(loaded.error());
-    if (const auto fits = checkFits(*loaded, calibration, o.calibration); !fits) return fail(fits.error());
-    calibration = std::move(*loaded);
-  }
+  auto input = openInput(o, *recipe);
+  if (!input) return fail(input.error());
+  const RigCalibration& calibration = input->calibration;
   const CalibrationAge age =
       ageOf(calibration, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
   const std::string warning = warningOf(calibration, age);
-  if (!warning.empty()) fail({o.calibration, "the calibration is " + warning + "; calibrate again"});
+  if (!warning.empty()) fail({input->calibrationName, "the calibration is " + warning + "; calibrate again"});
   std::optional<AtomicFile> csv;
   if (!o.csv.empty()) {
     auto file = AtomicFile::create(o.csv);
@@ -346,13 +392,12 @@ int inspect(const Options& o) {
   if (!archive) return fail(archive.error());
 
   InspectionOutcome outcome;
-  const auto source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
   const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
-  Collector collected(*recipe, calibration, warning, *rig, std::move(csv), *progress, expected);
+  Collector collected(*recipe, calibration, warning, input->rig, std::move(csv), *progress, expected);
   {
     const auto start = Clock::now();
-    Inspection inspection(*source, *recipe, calibration, collected.observer());
+    Inspection inspection(*input->source, *recipe, calibration, collected.observer());
     const StopSwitch::Connection connection(stopSwitch, inspection);
     if (*archive) collected.writeInto(std::move(*archive), inspection);
     inspection.start();
@@ -373,8 +418,14 @@ int inspect(const Options& o) {
   outcome.calibrationAge = age;
   outcome.drift = collected.drift.indicators();
   outcome.firstDriftRail = collected.firstDriftRail;
-  outcome.effects = list((*rig)->settings().effects);
-  outcome.accuracy = &collected.accuracy;
+  if (input->rig) {
+    outcome.effects = list(input->rig->settings().effects);
+    outcome.accuracy = &collected.accuracy;
+  }
+  if (input->cameras != nullptr) {
+    outcome.cameras = input->cameras->cameras();
+    outcome.line = input->cameras->counts();
+  }
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
   if (!archived) return fail(archived.error());
   return judge(o, collected, outcome);
@@ -396,18 +447,25 @@ void addInspect(CLI::App& app, int& exitCode) {
       ->capture_default_str();
   command->add_option("--recording", o->recording, "recording to measure (with --source recording)");
   command->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]")->capture_default_str();
-  command->add_option("--calibration", o->calibration, "calibration file; default: the virtual rig's exact one");
-  command->add_option("--rails", o->rails, "rails to measure")->check(CLI::Range(1, 1000000))->capture_default_str();
-  command->add_option("--length", o->lengthM, "length of a rail, m")
-      ->check(CLI::Range(0.001, 1e5))
-      ->capture_default_str();
+  command->add_option("--calibration", o->calibration,
+                      "calibration file; default: the site's, or the virtual rig's exact one");
+  const auto* rails = command->add_option("--rails", o->rails, "rails to measure")
+                          ->check(CLI::Range(1, 1000000))
+                          ->capture_default_str();
+  const auto* length = command
+                           ->add_option("--length", o->lengthM,
+                                        "length of a rail, m (of cameras: where it is cut off; default: its end)")
+                           ->check(CLI::Range(0.001, 1e5))
+                           ->capture_default_str();
   command->add_option("--speed", o->speedMPerS, "speed, m/s")->check(CLI::Range(0.001, 100.0))->capture_default_str();
-  command->add_option("--spacing", o->spacingMm, "travel between profiles, mm")
-      ->check(CLI::Range(0.01, 1e5))
-      ->capture_default_str();
+  const auto* spacing =
+      command->add_option("--spacing", o->spacingMm, "travel between profiles, mm (of cameras: the site's)")
+          ->check(CLI::Range(0.01, 1e5))
+          ->capture_default_str();
   command->add_option("--seed", o->seed, "seed of the virtual rail and its noise")->capture_default_str();
   command->add_option("--rig-seed", o->rigSeed, "draws the virtual rig itself; default: the seed");
   command->add_option("--address", o->address, "first of four consecutive camera addresses (with --source gige)");
+  command->add_option("--site", o->site, "site file of the cameras (with --source gige); default: the user's");
   command->add_option("--temperature", o->temperatureC, "temperature of the rail, degrees C")
       ->check(CLI::Range(-60.0, 1400.0))
       ->capture_default_str();
@@ -422,7 +480,12 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--seconds", o->seconds, "stop after that time")->check(CLI::Range(0.0, 1e9));
   command->add_flag("--paced", o->paced, "in real time, as a live source");
   command->add_flag("--quiet", o->quiet, "no progress on the terminal");
-  command->callback([o, &exitCode] { exitCode = inspect(*o); });
+  command->callback([o, rails, length, spacing, &exitCode] {
+    o->railsGiven = rails->count() > 0;
+    o->lengthGiven = length->count() > 0;
+    o->spacingGiven = spacing->count() > 0;
+    exitCode = inspect(*o);
+  });
 }
 
 }  // namespace vignole::cli

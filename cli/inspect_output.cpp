@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/live_line.h"
+
 namespace vignole::cli {
 
 namespace {
@@ -218,6 +220,11 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   json["effects"] = Json::object();
   for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
   if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
+  if (!outcome.cameras.empty()) {
+    json["cameras"] = Json::array();
+    for (const CameraReport& camera : outcome.cameras) json["cameras"].push_back(cli::toJson(camera));
+    json["line"] = cli::toJson(outcome.line);
+  }
   return json;
 }
 
@@ -250,6 +257,7 @@ std::string toTable(const InspectionOutcome& outcome) {
                  static_cast<unsigned long long>(t.incomplete), static_cast<unsigned long long>(t.lost));
   for (const auto& [reason, count] : t.reasons)
     text += format("  %8llu  %s\n", static_cast<unsigned long long>(count), reason.c_str());
+  text += toTable(outcome.cameras);
   for (const CameraDrift& c : outcome.drift.cameras)
     if (c.alarm) text += "Drift: " + c.words + "\n";
   text += format("%.1f profiles/s, %.2f s, calibration %s (%s)\n", rateOf(outcome), outcome.wallS,

@@ -9,6 +9,7 @@
 
 #include "calibration/drift/drift_watch.h"
 #include "cli/accuracy.h"
+#include "engine/gige_camera/gige_source.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/optics/calibration_age.h"
@@ -33,6 +34,8 @@ struct InspectionOutcome {
   std::optional<std::uint64_t> firstDriftRail;  ///< the rail, from 1, after which a camera was first said to have moved
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
+  std::vector<CameraReport> cameras;                    ///< empty unless the source are cameras
+  TriggerLineCounts line;                               ///< of the cameras
 };
 
 [[nodiscard]] nlohmann::ordered_json toJson(const InspectedRail& rail);
