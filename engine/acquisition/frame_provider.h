@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include "engine/geometry/image_view.h"
@@ -28,6 +29,10 @@ class FrameProvider {
   virtual bool prepare(std::uint64_t trigger, std::stop_token stop) = 0;
   /// Takes as long as it takes if it was not prepared. Empty soon after a stop request.
   [[nodiscard]] virtual ProvidedFrame frame(int camera, std::uint64_t trigger, std::stop_token stop) = 0;
+  /// Whether a rail is in the rig at that trigger: what a light barrier says.
+  [[nodiscard]] virtual bool railPresent(std::uint64_t /*trigger*/) const { return true; }
+  /// How many triggers there are; nothing: without end.
+  [[nodiscard]] virtual std::optional<std::uint64_t> triggers() const { return {}; }
 };
 
 }  // namespace vignole
