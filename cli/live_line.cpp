@@ -171,7 +171,7 @@ Json toJson(const TriggerLineCounts& n) {
           {"rails", n.rails},
           {"late_frames", n.lateFrames},
           {"repeated_frames", n.repeatedFrames},
-          {"frames_before_start", n.framesBeforeStart}};
+          {"frames_of_lost_counts", n.framesOfLostCounts}};
 }
 
 std::string toTable(const std::vector<CameraReport>& reports) {

@@ -1,5 +1,6 @@
 #include "engine/gige_camera/camera_stream.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/acquisition/frame_memory.h"
@@ -38,6 +39,8 @@ std::uint64_t countFromNs(std::uint64_t ns, std::uint64_t tickHz) {
   return s * tickHz + (rest * tickHz + kNsPerS - 1) / kNsPerS;
 }
 
+constexpr int kRetentionAtFirstMs = 100;  // until the rate of the triggers is known
+
 void freeMemory(void* memory) { FrameMemoryFree{}(static_cast<std::uint8_t*>(memory)); }
 
 }  // namespace
@@ -71,14 +74,18 @@ Expected<std::shared_ptr<CameraStream>> CameraStream::open(ArvCamera* camera, co
     return worldError(where, "gives no stream (" + failure.message() + ")");
   }
   g_object_set(self->stream_.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_FIXED, "socket-buffer-size",
-               how.socketBufferBytes, "frame-retention", static_cast<guint>(1000 * how.frameRetentionMs),
-               "packet-resend", how.resend ? ARV_GV_STREAM_PACKET_RESEND_ALWAYS : ARV_GV_STREAM_PACKET_RESEND_NEVER,
-               nullptr);
+               how.socketBufferBytes, "packet-resend",
+               how.resend ? ARV_GV_STREAM_PACKET_RESEND_ALWAYS : ARV_GV_STREAM_PACKET_RESEND_NEVER, nullptr);
+  self->setRetention(std::max(how.frameRetentionMs, kRetentionAtFirstMs));
   for (int i = 0; i < how.buffers; ++i) {
     std::uint8_t* memory = makeFrameMemory(payload).release();
     arv_stream_push_buffer(self->stream_.get(), arv_buffer_new_full(payload, memory, memory, freeMemory));
   }
   return self;
+}
+
+void CameraStream::setRetention(int ms) {
+  g_object_set(stream_.get(), "frame-retention", static_cast<guint>(1000 * ms), nullptr);
 }
 
 void CameraStream::called(void* self, ArvStreamCallbackType type, ArvBuffer* /*buffer*/) {

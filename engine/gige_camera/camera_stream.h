@@ -37,6 +37,8 @@ class CameraStream : public std::enable_shared_from_this<CameraStream> {
 
   /// Ends the receiving thread: nothing is handed over any more. Frames that are out stay valid.
   void close();
+  /// How long a frame whose packets are missing is waited for, and all behind it with it.
+  void setRetention(int ms);
   /// Adds what this stream counted.
   void addTo(CameraCounters& counters) const;
   [[nodiscard]] double lastFrameS() const { return lastFrameS_.load(std::memory_order_relaxed); }

@@ -1,7 +1,9 @@
 #include "engine/gige_camera/gige_camera.h"
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <array>
+#include <cstdlib>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
@@ -257,6 +259,7 @@ Expected<void> GigeCamera::prepareStream(std::uint64_t epoch) {
   const std::scoped_lock reportLock(reportMutex_);
   packetBytes_ = static_cast<int>(packet);
   stream_ = std::move(*stream);
+  retentionMs_ = 0;
   return {};
 }
 
@@ -291,6 +294,18 @@ void GigeCamera::closeLocked(bool answers) {
   if (device_) g_signal_handler_disconnect(device_.get(), lostSignal_);
   camera_.reset();
   device_.reset();
+}
+
+void GigeCamera::adaptRetention(double triggersPerS) {
+  constexpr double kPeriods = 2.3;
+  constexpr int kLongestMs = 250;
+  if (!(triggersPerS > 0)) return;
+  const int wanted = std::clamp(static_cast<int>(1000 * kPeriods / triggersPerS), settings_.frameRetentionMs,
+                                std::max(kLongestMs, settings_.frameRetentionMs));
+  const std::scoped_lock lock(reportMutex_);
+  if (!stream_ || std::abs(wanted - retentionMs_) * 10 < retentionMs_) return;
+  retentionMs_ = wanted;
+  stream_->setRetention(wanted);
 }
 
 Expected<void> GigeCamera::resetCount() {

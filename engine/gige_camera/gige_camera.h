@@ -29,6 +29,8 @@ class GigeCamera {
   /// Ends the stream and gives the camera back. One that does not answer is not asked to stop.
   void close(bool answers);
 
+  /// A slow line can wait longer for missing packets than a fast one: two periods and a bit, the setting at least.
+  void adaptRetention(double triggersPerS);
   /// Of the trigger: begins at 0, or is told. Errors where the camera cannot.
   [[nodiscard]] Expected<void> resetCount();
   [[nodiscard]] Expected<std::int64_t> count();
@@ -65,7 +67,7 @@ class GigeCamera {
   mutable std::mutex reportMutex_;  // never held while the device is talked to
   GigeIdentity identity_;
   CountSource count_ = CountSource::FrameId;
-  int packetBytes_ = 0;
+  int packetBytes_ = 0, retentionMs_ = 0;
   std::shared_ptr<CameraStream> stream_;
   CameraCounters earlier_;  ///< of streams that were closed
 };

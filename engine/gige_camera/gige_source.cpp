@@ -318,10 +318,13 @@ void GigeSource::Impl::control(std::size_t c, const std::stop_token& stop) {
   std::condition_variable_any never;
   while (!stop.stop_requested()) {
     bool again = false;
+    double rate = 0;
     {
       const std::scoped_lock lock(mutex);
       again = lanes[c].watch.toBeOpenedAgain(line.railRunning());
+      rate = line.triggersPerS();
     }
+    lanes[c].camera->adaptRetention(rate);
     // Until it answers it is left as it is: its frames may still come, and Aravis would wait for it for seconds.
     if (again && lanes[c].camera->answers()) {
       reopen(c, stop);

@@ -9,6 +9,7 @@ namespace vignole {
 namespace {
 constexpr std::size_t kArrivalsRemembered = 32;
 constexpr const char* kLost = "frame lost";
+constexpr const char* kNone = "no frame";  // before its first, while others had some
 }  // namespace
 
 TriggerLine::TriggerLine(TriggerLineSettings settings) : settings_(std::move(settings)) {
@@ -67,6 +68,7 @@ void TriggerLine::add(Frame frame, bool railInView, double arrivedS) {
     arrivals_.push_back({trigger, arrivedS});
     if (arrivals_.size() > kArrivalsRemembered) arrivals_.pop_front();
   }
+  if (!from.began) from.first = trigger;
   from.began = true;
   from.next = trigger + 1;
   if (trigger < cursor_) {  // given up before it came
@@ -110,7 +112,7 @@ void TriggerLine::restartCounts() {
   for (int c = 0; c < static_cast<int>(kCameras); ++c)
     if (!at(c).down) setDown(c, "counted anew");  // what waits is settled as it is
   for (const auto& [trigger, row] : waiting_)
-    for (const Slot& slot : row.slots) counts_.framesBeforeStart += slot.frame ? 1U : 0U;
+    for (const Slot& slot : row.slots) counts_.framesOfLostCounts += slot.frame ? 1U : 0U;
   waiting_.clear();
   const std::uint64_t furthest = next();
   if (inRail_) endRail(held_.empty() ? furthest : held_.front().trigger);
@@ -127,31 +129,10 @@ void TriggerLine::restartCounts() {
 // ---- settling, in the order of the triggers
 
 void TriggerLine::open() {
-  std::uint64_t first = cursor_;
-  bool any = false;
-  for (const Camera& c : cameras_) {
-    if (c.down) continue;
-    if (!c.began) {
-      if (waiting_.size() < settings_.giveUpAfter) return;
-      continue;
-    }
-    any = true;
-  }
-  if (!any) return;
-  // The first trigger that all who are there can have answered.
-  for (std::size_t c = 0; c < kCameras; ++c) {
-    if (cameras_[c].down || !cameras_[c].began) continue;
-    for (const auto& [trigger, row] : waiting_)
-      if (row.slots[c].frame) {
-        first = std::max(first, trigger);
-        break;
-      }
-  }
-  while (!waiting_.empty() && waiting_.begin()->first < first) {
-    for (const Slot& slot : waiting_.begin()->second.slots) counts_.framesBeforeStart += slot.frame ? 1U : 0U;
-    waiting_.erase(waiting_.begin());
-  }
-  cursor_ = first;
+  for (const Camera& c : cameras_)
+    if (!c.down && !c.began && waiting_.size() < settings_.giveUpAfter) return;
+  if (waiting_.empty()) return;
+  cursor_ = std::max(cursor_, waiting_.begin()->first);
   open_ = true;
 }
 
@@ -176,7 +157,10 @@ void TriggerLine::settle() {
       Slot& slot = row.slots[c];
       if (slot.frame || !slot.reason.empty()) continue;
       const Camera& from = cameras_[c];
-      slot.reason = from.down ? from.downReason : from.next > cursor_ ? kLost : "too late";
+      slot.reason = from.down              ? from.downReason
+                    : from.next <= cursor_ ? "too late"
+                    : cursor_ < from.first ? kNone
+                                           : kLost;
     }
     ++cursor_;
     if (row.view() == View::Unknown) ++counts_.seenByNone;

@@ -33,7 +33,7 @@ struct TriggerLineCounts {
   std::uint64_t seenByNone = 0;                      ///< of both: no camera had a frame
   std::uint64_t rails = 0;                           ///< begun
   std::uint64_t lateFrames = 0, repeatedFrames = 0;  ///< frames that came too late or twice, left out
-  std::uint64_t framesBeforeStart = 0;               ///< before all four cameras took part
+  std::uint64_t framesOfLostCounts = 0;              ///< whose trigger was forgotten when all cameras were gone
 };
 
 /// Fed with each camera's frames in its own order. Not thread-safe: one mutex around it.
@@ -77,8 +77,9 @@ class TriggerLine {
     [[nodiscard]] View view() const;
   };
   struct Camera {
-    std::uint64_t next = 0;  ///< everything below has been answered or passed
-    bool began = false;      ///< has shown a frame since the line was made
+    std::uint64_t next = 0;   ///< everything below has been answered or passed
+    std::uint64_t first = 0;  ///< trigger of its first frame
+    bool began = false;       ///< has shown a frame since the counts began
     bool down = false;
     std::string downReason;
     bool justBack = false;
