@@ -195,13 +195,14 @@ void obeyStdin(const std::stop_token& stop, DeviceRig& rig) {
   }
 }
 
-double cpuSeconds() {
+/// What this process has used: its own code, and the system's for it (on loopback also the receiving of what it sent).
+nlohmann::ordered_json cpu() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  return {{"user_s", seconds(usage.ru_utime)}, {"system_s", seconds(usage.ru_stime)}};
 }
 
 int serve(const ServeOptions& o) {
@@ -248,7 +249,7 @@ int serve(const ServeOptions& o) {
       over.wait(lock, done);
   }
   nlohmann::ordered_json counters = countersOf(**rig);
-  counters["cpu_s"] = cpuSeconds();
+  counters["cpu"] = cpu();
   if (!o.json.empty())
     if (auto written = writeJson(o.json, counters); !written) return fail(written.error());
   if (!jsonOnly && !o.quiet)

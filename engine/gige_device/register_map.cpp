@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "engine/gige_device/feature_description.h"
 
@@ -109,14 +110,20 @@ GvcpStatus RegisterMap::read(Address address, std::span<std::uint8_t> out) const
 
 GvcpStatus RegisterMap::write(Address address, ByteView data, bool acquiring) {
   if (address % 4 != 0 || data.size() % 4 != 0) return GvcpStatus::BadAlignment;
+  // Each word is judged with those before it in force, and all are taken back if one is refused.
+  std::vector<std::pair<Address, std::uint32_t>> before;
   for (std::size_t at = 0; at < data.size(); at += 4) {
     const std::uint64_t word = std::uint64_t{address} + at;
-    if (word + 4 > reg::kFeaturesEnd) return GvcpStatus::InvalidAddress;
-    if (const GvcpStatus status = check(static_cast<Address>(word), readBe32(data, at), acquiring);
-        status != GvcpStatus::Success)
+    const GvcpStatus status = word + 4 > reg::kFeaturesEnd
+                                  ? GvcpStatus::InvalidAddress
+                                  : check(static_cast<Address>(word), readBe32(data, at), acquiring);
+    if (status != GvcpStatus::Success) {
+      for (auto old = before.rbegin(); old != before.rend(); ++old) set(old->first, old->second);
       return status;
+    }
+    before.emplace_back(static_cast<Address>(word), get(static_cast<Address>(word)));
+    store(static_cast<Address>(word), readBe32(data, at));
   }
-  for (std::size_t at = 0; at < data.size(); at += 4) store(address + static_cast<Address>(at), readBe32(data, at));
   updatePayloadSize();
   return GvcpStatus::Success;
 }
