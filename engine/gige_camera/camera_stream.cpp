@@ -1,6 +1,10 @@
 #include "engine/gige_camera/camera_stream.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <utility>
 
 #include "engine/acquisition/frame_memory.h"
@@ -41,6 +45,24 @@ std::uint64_t countFromNs(std::uint64_t ns, std::uint64_t tickHz) {
 
 constexpr int kRetentionAtFirstMs = 100;  // until the rate of the triggers is known
 
+/// Aravis enlarges the socket's buffer when the first frame has begun, which can be too late for that frame.
+void enlargeSocketBuffer(ArvStream* stream, int bytes) {
+  const guint16 port = arv_gv_stream_get_port(ARV_GV_STREAM(stream));
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", failed)) {
+    const int descriptor = std::atoi(entry.path().filename().c_str());
+    sockaddr_in own{};
+    socklen_t size = sizeof own;
+    if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size) != 0 || own.sin_family != AF_INET ||
+        ntohs(own.sin_port) != port)
+      continue;
+    int type = 0;
+    socklen_t typeSize = sizeof type;
+    if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &typeSize) == 0 && type == SOCK_DGRAM)
+      setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof bytes);
+  }
+}
+
 void freeMemory(void* memory) { FrameMemoryFree{}(static_cast<std::uint8_t*>(memory)); }
 
 }  // namespace
@@ -76,6 +98,7 @@ Expected<std::shared_ptr<CameraStream>> CameraStream::open(ArvCamera* camera, co
   g_object_set(self->stream_.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_FIXED, "socket-buffer-size",
                how.socketBufferBytes, "packet-resend",
                how.resend ? ARV_GV_STREAM_PACKET_RESEND_ALWAYS : ARV_GV_STREAM_PACKET_RESEND_NEVER, nullptr);
+  enlargeSocketBuffer(self->stream_.get(), how.socketBufferBytes);
   self->setRetention(std::max(how.frameRetentionMs, kRetentionAtFirstMs));
   for (int i = 0; i < how.buffers; ++i) {
     std::uint8_t* memory = makeFrameMemory(payload).release();
@@ -93,18 +116,19 @@ void CameraStream::called(void* self, ArvStreamCallbackType type, ArvBuffer* /*b
 }
 
 void CameraStream::done() {
-  ArvBuffer* buffer = arv_stream_try_pop_buffer(stream_.get());
-  if (buffer == nullptr) return;
-  const ArvBufferStatus status = arv_buffer_get_status(buffer);
-  if (status == ARV_BUFFER_STATUS_SUCCESS && arv_buffer_get_image_width(buffer) == camera_.widthPx &&
-      arv_buffer_get_image_height(buffer) == camera_.heightPx &&
-      arv_buffer_get_image_pixel_format(buffer) == ARV_PIXEL_FORMAT_MONO_8) {
-    handOver(buffer);
-    return;
+  // All that are there: Aravis lays some aside without a call, and those would be missing soon.
+  while (ArvBuffer* buffer = arv_stream_try_pop_buffer(stream_.get())) {
+    const ArvBufferStatus status = arv_buffer_get_status(buffer);
+    if (status == ARV_BUFFER_STATUS_SUCCESS && arv_buffer_get_image_width(buffer) == camera_.widthPx &&
+        arv_buffer_get_image_height(buffer) == camera_.heightPx &&
+        arv_buffer_get_image_pixel_format(buffer) == ARV_PIXEL_FORMAT_MONO_8) {
+      handOver(buffer);
+      continue;
+    }
+    countFailure(status == ARV_BUFFER_STATUS_SUCCESS ? ARV_BUFFER_STATUS_SIZE_MISMATCH : status);
+    if (status != ARV_BUFFER_STATUS_ABORTED) tagger_.addDamaged();
+    arv_stream_push_buffer(stream_.get(), buffer);
   }
-  countFailure(status == ARV_BUFFER_STATUS_SUCCESS ? ARV_BUFFER_STATUS_SIZE_MISMATCH : status);
-  if (status != ARV_BUFFER_STATUS_ABORTED) tagger_.addDamaged();
-  arv_stream_push_buffer(stream_.get(), buffer);
 }
 
 void CameraStream::countFailure(ArvBufferStatus status) {

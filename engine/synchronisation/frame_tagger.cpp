@@ -71,7 +71,8 @@ FrameTag FrameTagger::add(std::uint64_t id, std::optional<std::uint64_t> count) 
   }
   if (!ids_.any()) {
     start(id, *count);
-    return goOn(static_cast<std::int64_t>(*count), 0, 0);
+    // What arrived damaged before the first good frame was of the triggers before it.
+    return goOn(static_cast<std::int64_t>(*count), std::min(damaged_, *count), 0);
   }
   const std::int64_t step = ids_.step(id);
   if (*count == count_ && step == 0) {

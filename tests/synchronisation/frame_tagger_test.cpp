@@ -75,6 +75,16 @@ TEST(FrameTagger, MoreDamagedFramesThanGapsAreNoMoreThanTheGaps) {
   EXPECT_EQ(tagger.add(4, 3).between(), 1u);
 }
 
+TEST(FrameTagger, WhatCameDamagedBeforeTheFirstGoodFrameIsOfTheTriggersBefore) {
+  FrameTagger tagger;
+  tagger.addDamaged();
+  tagger.addDamaged();
+  EXPECT_EQ(tagger.add(3, 2).incomplete, 2u);
+  FrameTagger another;
+  another.addDamaged();
+  EXPECT_EQ(another.add(1, 0).between(), 0u) << "there is no trigger before the first";
+}
+
 TEST(FrameTagger, AStrayCountIsNotBelieved) {
   FrameTagger tagger;
   (void)tagger.add(1, 50);
