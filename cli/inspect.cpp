@@ -425,6 +425,7 @@ int inspect(const Options& o) {
   if (input->cameras != nullptr) {
     outcome.cameras = input->cameras->cameras();
     outcome.line = input->cameras->counts();
+    outcome.reception = receptionCost();
   }
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
   if (!archived) return fail(archived.error());

@@ -224,6 +224,7 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
     json["cameras"] = Json::array();
     for (const CameraReport& camera : outcome.cameras) json["cameras"].push_back(cli::toJson(camera));
     json["line"] = cli::toJson(outcome.line);
+    json["cpu"] = cli::toJson(outcome.reception, outcome.cameras);
   }
   return json;
 }

@@ -9,6 +9,7 @@
 
 #include "calibration/drift/drift_watch.h"
 #include "cli/accuracy.h"
+#include "cli/live_line.h"
 #include "engine/gige_camera/gige_source.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
@@ -36,6 +37,7 @@ struct InspectionOutcome {
   const Accuracy* accuracy = nullptr;                   ///< null without truth
   std::vector<CameraReport> cameras;                    ///< empty unless the source are cameras
   TriggerLineCounts line;                               ///< of the cameras
+  ReceptionCost reception;                              ///< of the cameras' frames
 };
 
 [[nodiscard]] nlohmann::ordered_json toJson(const InspectedRail& rail);

@@ -5,7 +5,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "engine/recipe/recipe.h"
 #include "engine/simulator/virtual_rig.h"
@@ -130,6 +135,45 @@ Expected<LiveLine> openLiveLine(const LiveLineOptions& options) {
   line.source = std::move(*source);
   if (auto chosen = chooseCalibration(line, options, *site); !chosen) return tl::unexpected(chosen.error());
   return line;
+}
+
+ReceptionCost receptionCost() {
+  ReceptionCost cost;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  cost.processS = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  // Aravis' threads have names; what each has used stands behind its name in brackets.
+  std::error_code failed;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", failed)) {
+    std::ifstream file(task.path() / "stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t end = text.rfind(')');
+    if (end == std::string::npos || text.find("(arv_gv_stream") == std::string::npos) continue;
+    std::istringstream rest(text.substr(end + 2));
+    std::string skipped;
+    constexpr int kBeforeUserTime = 11;
+    for (int i = 0; i < kBeforeUserTime; ++i) rest >> skipped;
+    double user = 0, system = 0;
+    rest >> user >> system;
+    cost.receptionS += (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  }
+  return cost;
+}
+
+Json toJson(const ReceptionCost& cost, const std::vector<CameraReport>& reports) {
+  std::uint64_t frames = 0;
+  for (const CameraReport& r : reports) frames += r.counters.framesOk;
+  const auto perFrame = [&](double s) {
+    return frames > 0 ? Json(1000 * s / static_cast<double>(frames)) : Json(nullptr);
+  };
+  return {{"process_s", cost.processS},
+          {"reception_s", cost.receptionS},
+          {"ms_per_frame", perFrame(cost.processS)},
+          {"reception_ms_per_frame", perFrame(cost.receptionS)}};
 }
 
 Json toJson(const CameraReport& r) {

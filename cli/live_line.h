@@ -32,6 +32,13 @@ struct LiveLine {
 [[nodiscard]] Expected<Site> chosenSite(const LiveLineOptions& options);
 [[nodiscard]] Expected<LiveLine> openLiveLine(const LiveLineOptions& options);
 
+/// CPU time of this process so far, and of it that of the threads that receive frames.
+struct ReceptionCost {
+  double processS = 0, receptionS = 0;
+};
+[[nodiscard]] ReceptionCost receptionCost();
+
+[[nodiscard]] nlohmann::ordered_json toJson(const ReceptionCost& cost, const std::vector<CameraReport>& reports);
 [[nodiscard]] nlohmann::ordered_json toJson(const CameraReport& report);
 [[nodiscard]] nlohmann::ordered_json toJson(const TriggerLineCounts& counts);
 /// One line a camera, and what it cannot tell.
