@@ -116,11 +116,17 @@ inline Arguments fields(const std::string& row) {
   return all;
 }
 
-/// Rows by trigger, without the rail's name.
+/// Rows by trigger, without the rail's name and without the uncertainties: those hold that of the rail's temperature,
+/// which the virtual rig knows exactly and a line does not.
 inline std::map<std::uint64_t, std::string> byTrigger(const Arguments& rows) {
   std::map<std::uint64_t, std::string> found;
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    found[std::stoull(fields(rows[i])[3])] = rows[i].substr(rows[i].find(','));
+  const Arguments head = fields(rows.front());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Arguments row = fields(rows[i]);
+    std::string& kept = found[std::stoull(row[3])];
+    for (std::size_t f = 1; f < row.size(); ++f)
+      if (head[f].rfind("u_", 0) != 0) kept += "," + row[f];
+  }
   return found;
 }
 
