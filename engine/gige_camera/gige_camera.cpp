@@ -291,7 +291,11 @@ void GigeCamera::closeLocked(bool answers) {
     going->addTo(earlier_);
     stream_.reset();
   }
-  if (device_) g_signal_handler_disconnect(device_.get(), lostSignal_);
+  if (device_) {
+    g_signal_handler_disconnect(device_.get(), lostSignal_);
+    // Frames that are out keep the stream, and that the device: it would go on to hold the camera.
+    if (!denied_.load()) arv_gv_device_leave_control(ARV_GV_DEVICE(device_.get()), failure);
+  }
   camera_.reset();
   device_.reset();
 }

@@ -67,7 +67,7 @@ void armWithLine1(Client& client) {
 }
 
 TEST(ServeCommand, ServesThePicturesOfTheVirtualRig) {
-  Server server({"--rate", "20", "--recipe", "54E1", "--seed", "5", "--deviation", "HW=0.5"});
+  Server server({"--rate", "5", "--recipe", "54E1", "--seed", "5", "--deviation", "HW=0.5"});
   const auto recipe = findRecipe("54E1");
   ASSERT_TRUE(recipe);
   VirtualRigSettings settings;
@@ -83,16 +83,21 @@ TEST(ServeCommand, ServesThePicturesOfTheVirtualRig) {
     armWithLine1(*clients.back());
   }
   for (auto& client : clients) EXPECT_EQ(client->write(0xa044, 1), 0);
+  // Rendered for comparison when all have come: this one thread has four streams to empty.
+  std::vector<std::pair<int, gige_device::raw::RawFrame>> frames;
   for (std::uint64_t t = 0; t < 4; ++t)
     for (int c = 0; c < 4; ++c) {
-      const auto frame = clients[static_cast<std::size_t>(c)]->nextFrame();
+      auto frame = clients[static_cast<std::size_t>(c)]->nextFrame();
       ASSERT_TRUE(frame);
       ASSERT_TRUE(frame->complete());
       EXPECT_EQ(frame->timestamp, t);
-      std::vector<std::uint8_t> pixels(1400 * 1024);
-      (*rig)->render(c, t, {pixels.data(), 1400, 1024, 1400});
-      EXPECT_TRUE(frame->pixels() == pixels) << "camera " << c + 1 << " trigger " << t;
+      frames.emplace_back(c, std::move(*frame));
     }
+  for (const auto& [camera, frame] : frames) {
+    std::vector<std::uint8_t> pixels(1400 * 1024);
+    (*rig)->render(camera, frame.timestamp, {pixels.data(), 1400, 1024, 1400});
+    EXPECT_TRUE(frame.pixels() == pixels) << "camera " << camera + 1 << " trigger " << frame.timestamp;
+  }
   const json counters = server.stop();
   ASSERT_TRUE(counters.contains("cameras"));
   for (const json& camera : counters["cameras"]) {
@@ -212,9 +217,10 @@ TEST(ServeCommand, ArvToolFindsTheCamerasByBroadcast) {
 
 TEST(ServeCommand, ArvCameraTestStreamsFreelyAndUnderTriggers) {
   if (!installed("arv-camera-test-0.8")) GTEST_SKIP() << "arv-camera-test-0.8 is not installed (Debian: aravis-tools)";
-  Server server({"--cameras", "1", "--rate", "10", "--fault", "packet-loss=0.005"});
+  // Slow and patient: what a busy machine loses in the client's socket is asked for again too.
+  Server server({"--cameras", "1", "--rate", "5", "--fault", "packet-loss=0.005"});
   const auto streamed = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"-n", Server::address(), "--duration", "2", "-i", "8192"});
+    options.insert(options.begin(), {"-n", Server::address(), "--duration", "4", "-i", "8192", "-m", "1200"});
     const std::string out = runTool("arv-camera-test-0.8", options).out;
     EXPECT_GE(numberAfter(out, "n_completed_buffers"), 12) << out;
     EXPECT_EQ(numberAfter(out, "n_failures"), 0) << out;
@@ -225,7 +231,7 @@ TEST(ServeCommand, ArvCameraTestStreamsFreelyAndUnderTriggers) {
   const std::string triggered = streamed({"-t", "Line1", "-u", "CounterValue,LineStatusAll"});
   EXPECT_NE(triggered.find("ChunkCounterValue = 10\n"), std::string::npos) << triggered;
   EXPECT_NE(triggered.find("ChunkLineStatusAll = 3\n"), std::string::npos) << triggered;
-  streamed({"-o", "10"});
+  streamed({"-o", "5"});
   const json camera = server.stop()["cameras"][0];
   EXPECT_GT(camera["packets_dropped"].get<int>(), 10);
   EXPECT_GE(camera["packets_resent"], camera["packets_dropped"].get<int>() / 2);

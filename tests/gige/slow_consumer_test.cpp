@@ -50,10 +50,12 @@ TEST(GigeFaults, SlowConsumer_OverflowIsCountedAndEveryTriggerIsToldOnce) {
     for (int c = 0; c < 4; ++c)
       threads[static_cast<std::size_t>(c)] = std::jthread([&, c] {
         Stream& stream = streams[static_cast<std::size_t>(c)];
-        while (!stream.ended) {
+        for (bool heldUp = false; !stream.ended;) {
           stream.add((*source)->next(c, {}));
           // Camera 2's reader is held up once for longer than its inbox is deep.
-          if (c == 1 && stream.frames == 20) std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+          if (c != 1 || heldUp || stream.frames < 20) continue;
+          heldUp = true;
+          std::this_thread::sleep_for(std::chrono::milliseconds(2500));
         }
       });
   }
