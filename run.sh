@@ -5,7 +5,7 @@ set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$root/setup/prepare.sh"
 
-install tools engine archive calibration cli hmi
+install tools engine archive calibration camera cli hmi
 build release -DVIGNOLE_TESTS=OFF  # GoogleTest is not needed to run
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   exec "$root/build/release/bin/vignole" "$@"

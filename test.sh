@@ -21,7 +21,7 @@ runTests() {
   say "$(grep -E 'tests passed' "$log") ($1, $((SECONDS - started)) s)"
 }
 
-install tools engine archive calibration cli hmi test
+install tools engine archive calibration camera cli hmi test
 for preset in "${@:-dev}"; do
   build "$preset"
   cd "$root" || exit 3

@@ -17,6 +17,7 @@ void addCalibrate(CLI::App& app, int& exitCode);
 void addStudy(CLI::App& app, int& exitCode);
 void addArchive(CLI::App& app, int& exitCode);
 void addRecording(CLI::App& app, int& exitCode);
+void addSite(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 
 }  // namespace vignole::cli

@@ -18,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/inspect_output.h"
 #include "cli/interruption.h"
+#include "cli/live_line.h"
 #include "cli/recording_options.h"
 #include "cli/report_files.h"
 #include "engine/archive/rail_writer.h"
@@ -32,9 +33,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string source = "virtual", recording, recipe = "60E1 X/A", calibration, address, archive, record, csv, json;
+  std::string source = "virtual", recording, recipe = "60E1 X/A", calibration, address, site, archive, record, csv,
+              json;
   int rails = 1;
   double lengthM = 60, speedMPerS = 1, spacingMm = 15, temperatureC = 20;
+  bool railsGiven = false, lengthGiven = false, spacingGiven = false;
   std::optional<double> seconds;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> rigSeed;
@@ -44,11 +47,13 @@ struct Options {
 };
 
 Expected<void> refuseWhatIsNotThere(const Options& o) {
-  const auto later = [](const char* option, const std::string& with) {
-    return inputError(option, "comes with " + with + ", which this version does not have; use --source virtual");
-  };
-  if (o.source == "gige") return later("--source gige", "the GigE Vision cameras");
-  if (!o.address.empty()) return later("--address", "the GigE Vision cameras");
+  if (o.source != "gige" && !o.address.empty()) return inputError("--address", "is of cameras; add --source gige");
+  if (o.source != "gige" && !o.site.empty()) return inputError("--site", "is of cameras; add --source gige");
+  if (o.source == "gige" && !(o.effects.empty() && o.deviations.empty() && o.faults.empty()))
+    return inputError(!o.effects.empty()      ? "--effect"
+                      : !o.deviations.empty() ? "--deviation"
+                                              : "--fault",
+                      "is of the virtual rig; give it to simulate serve");
   if (o.source != "recording" && !o.recording.empty())
     return inputError("--recording", "is measured with --source recording; give that too");
   if (o.source == "recording") {
@@ -321,12 +326,72 @@ int judge(const Options& o, const Collector& collected, const InspectionOutcome&
   return code;
 }
 
+/// Where the frames come from, and what they are measured with.
+struct Input {
+  std::unique_ptr<FrameSource> source;
+  RigCalibration calibration;
+  std::string calibrationName;
+  std::shared_ptr<const VirtualRig> rig;  ///< null unless it is the source
+  const GigeSource* cameras = nullptr;    ///< null unless they are the source
+};
+
+/// `recorded`: null unless a recording is measured.
+Expected<Input> openInput(const Options& o, const Recipe& recipe, const RecordedRun* recorded) {
+  Input input;
+  input.calibrationName = o.calibration;
+  if (o.source == "gige") {
+    LiveLineOptions live;
+    live.site = o.site;
+    live.address = o.address;
+    live.calibration = o.calibration;
+    live.rails = !o.railsGiven && o.seconds ? 0 : static_cast<std::uint64_t>(o.rails);
+    if (o.lengthGiven) live.lengthM = o.lengthM;
+    if (o.spacingGiven) live.spacingMm = o.spacingMm;
+    live.temperatureC = o.temperatureC;
+    auto line = openLiveLine(live);
+    if (!line) return tl::unexpected(line.error());
+    input.cameras = line->source.get();
+    input.source = std::move(line->source);
+    input.calibration = std::move(line->calibration);
+    input.calibrationName = std::move(line->calibrationName);
+    return input;
+  }
+  if (recorded != nullptr) {
+    if (const auto allowed = recorded->recording().allows(recipe.stripe); !allowed)
+      return tl::unexpected(allowed.error());
+    if (recorded->setup()) {
+      input.rig = rigOfOrigin(*recorded->setup());
+      input.calibration = recorded->setup()->calibration;
+    } else if (o.calibration.empty()) {
+      return inputError(o.recording,
+                        "does not say any more with which calibration it was recorded; give --calibration");
+    }
+    recorded->warn();
+    input.source = recorded->source();
+  } else {
+    auto rig = makeRig(o, recipe);
+    if (!rig) return tl::unexpected(rig.error());
+    input.rig = *rig;
+    input.calibration = (*rig)->calibration();
+    input.source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
+  }
+  if (!o.calibration.empty()) {
+    auto loaded = loadCalibration(o.calibration);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const bool known = recorded == nullptr || recorded->setup();
+    if (const auto fits = known ? checkFits(*loaded, input.calibration, o.calibration) : Expected<void>(); !fits)
+      return tl::unexpected(fits.error());
+    input.calibration = *std::move(loaded);
+  }
+  return input;
+}
+
 /// None where none is asked for.
 Expected<std::unique_ptr<RailWriter>> openArchive(const Options& o) {
   if (o.archive.empty()) return nullptr;
   RailWriterSettings settings;
   settings.place = {"line 1", o.source, VIGNOLE_VERSION, stripeSimdTarget()};
-  settings.live = o.paced;
+  settings.live = o.paced || o.source == "gige";
   return RailWriter::open(o.archive, settings);
 }
 
@@ -374,35 +439,13 @@ int inspect(const Options& o) {
   }
   const auto recipe = recorded && !o.recipeGiven ? recorded->recipe() : findRecipe(o.recipe);
   if (!recipe) return fail(recipe.error());
-  std::shared_ptr<const VirtualRig> rig;
-  RigCalibration calibration;
-  if (recorded) {
-    if (const auto allowed = recorded->recording().allows(recipe->stripe); !allowed) return fail(allowed.error());
-    if (recorded->setup()) {
-      rig = rigOfOrigin(*recorded->setup());
-      calibration = recorded->setup()->calibration;
-    } else if (o.calibration.empty()) {
-      return fail({o.recording, "does not say any more with which calibration it was recorded; give --calibration"});
-    }
-    recorded->warn();
-  } else {
-    const auto made = makeRig(o, *recipe);
-    if (!made) return fail(made.error());
-    rig = *made;
-    calibration = rig->calibration();
-  }
-  if (!o.calibration.empty()) {
-    auto loaded = loadCalibration(o.calibration);
-    if (!loaded) return fail(loaded.error());
-    const bool known = !recorded || recorded->setup();
-    if (const auto fits = known ? checkFits(*loaded, calibration, o.calibration) : Expected<void>(); !fits)
-      return fail(fits.error());
-    calibration = std::move(*loaded);
-  }
+  auto input = openInput(o, *recipe, recorded ? &*recorded : nullptr);
+  if (!input) return fail(input.error());
+  const RigCalibration& calibration = input->calibration;
   const CalibrationAge age =
       ageOf(calibration, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
   const std::string warning = warningOf(calibration, age);
-  if (!warning.empty()) fail({o.calibration, "the calibration is " + warning + "; calibrate again"});
+  if (!warning.empty()) fail({input->calibrationName, "the calibration is " + warning + "; calibrate again"});
   std::optional<AtomicFile> csv;
   if (!o.csv.empty()) {
     auto file = AtomicFile::create(o.csv);
@@ -414,11 +457,11 @@ int inspect(const Options& o) {
   if (!archive) return fail(archive.error());
 
   InspectionOutcome outcome;
-  auto source = recorded ? recorded->source() : makeVirtualSource(rig, {o.rails, 1000 * o.lengthM, o.paced});
+  auto& source = input->source;
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
   const double expected =
       recorded ? recorded->triggers() : std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
-  Collector collected(*recipe, calibration, warning, rig, std::move(csv), *progress, expected);
+  Collector collected(*recipe, calibration, warning, input->rig, std::move(csv), *progress, expected);
   InspectionObserver observer = collected.observer();
   std::shared_ptr<FrameRecorder> recorder;
   if (!o.record.empty()) {
@@ -456,9 +499,14 @@ int inspect(const Options& o) {
   outcome.calibrationAge = age;
   outcome.drift = collected.drift.indicators();
   outcome.firstDriftRail = collected.firstDriftRail;
-  if (rig) {
-    outcome.effects = list(rig->settings().effects);
+  if (input->rig) {
+    outcome.effects = list(input->rig->settings().effects);
     outcome.accuracy = &collected.accuracy;
+  }
+  if (input->cameras != nullptr) {
+    outcome.cameras = input->cameras->cameras();
+    outcome.line = input->cameras->counts();
+    outcome.reception = receptionCost();
   }
   if (recorder) outcome.recorded = recorder->state();
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
@@ -487,18 +535,24 @@ void addInspect(CLI::App& app, int& exitCode) {
           ->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]; of a recording: its own")
           ->capture_default_str();
   command->add_option("--calibration", o->calibration,
-                      "calibration file; default: the virtual rig's exact one, a recording's own");
-  command->add_option("--rails", o->rails, "rails to measure")->check(CLI::Range(1, 1000000))->capture_default_str();
-  command->add_option("--length", o->lengthM, "length of a rail, m")
-      ->check(CLI::Range(0.001, 1e5))
-      ->capture_default_str();
+                      "calibration file; default: the site's, the virtual rig's exact one, a recording's own");
+  const auto* rails = command->add_option("--rails", o->rails, "rails to measure")
+                          ->check(CLI::Range(1, 1000000))
+                          ->capture_default_str();
+  const auto* length = command
+                           ->add_option("--length", o->lengthM,
+                                        "length of a rail, m (of cameras: where it is cut off; default: its end)")
+                           ->check(CLI::Range(0.001, 1e5))
+                           ->capture_default_str();
   command->add_option("--speed", o->speedMPerS, "speed, m/s")->check(CLI::Range(0.001, 100.0))->capture_default_str();
-  command->add_option("--spacing", o->spacingMm, "travel between profiles, mm")
-      ->check(CLI::Range(0.01, 1e5))
-      ->capture_default_str();
+  const auto* spacing =
+      command->add_option("--spacing", o->spacingMm, "travel between profiles, mm (of cameras: the site's)")
+          ->check(CLI::Range(0.01, 1e5))
+          ->capture_default_str();
   command->add_option("--seed", o->seed, "seed of the virtual rail and its noise")->capture_default_str();
   command->add_option("--rig-seed", o->rigSeed, "draws the virtual rig itself; default: the seed");
   command->add_option("--address", o->address, "first of four consecutive camera addresses (with --source gige)");
+  command->add_option("--site", o->site, "site file of the cameras (with --source gige); default: the user's");
   command->add_option("--temperature", o->temperatureC, "temperature of the rail, degrees C")
       ->check(CLI::Range(-60.0, 1400.0))
       ->capture_default_str();
@@ -513,8 +567,11 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--seconds", o->seconds, "stop after that time")->check(CLI::Range(0.0, 1e9));
   command->add_flag("--paced", o->paced, "in real time, as a live source");
   command->add_flag("--quiet", o->quiet, "no progress on the terminal");
-  command->callback([o, recipe, &exitCode] {
+  command->callback([o, recipe, rails, length, spacing, &exitCode] {
     o->recipeGiven = recipe->count() > 0;
+    o->railsGiven = rails->count() > 0;
+    o->lengthGiven = length->count() > 0;
+    o->spacingGiven = spacing->count() > 0;
     exitCode = inspect(*o);
   });
 }

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/live_line.h"
+
 namespace vignole::cli {
 
 namespace {
@@ -227,6 +229,12 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
   if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
   if (outcome.recorded) json["recorded"] = toJson(*outcome.recorded);
+  if (!outcome.cameras.empty()) {
+    json["cameras"] = Json::array();
+    for (const CameraReport& camera : outcome.cameras) json["cameras"].push_back(cli::toJson(camera));
+    json["line"] = cli::toJson(outcome.line);
+    json["cpu"] = cli::toJson(outcome.reception, outcome.cameras);
+  }
   return json;
 }
 
@@ -259,6 +267,7 @@ std::string toTable(const InspectionOutcome& outcome) {
                  static_cast<unsigned long long>(t.incomplete), static_cast<unsigned long long>(t.lost));
   for (const auto& [reason, count] : t.reasons)
     text += format("  %8llu  %s\n", static_cast<unsigned long long>(count), reason.c_str());
+  text += toTable(outcome.cameras);
   for (const CameraDrift& c : outcome.drift.cameras)
     if (c.alarm) text += "Drift: " + c.words + "\n";
   if (const auto& r = outcome.recorded)

@@ -9,6 +9,8 @@
 
 #include "calibration/drift/drift_watch.h"
 #include "cli/accuracy.h"
+#include "cli/live_line.h"
+#include "engine/gige_camera/gige_source.h"
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/optics/calibration_age.h"
@@ -35,6 +37,9 @@ struct InspectionOutcome {
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
   std::optional<RecorderState> recorded;                ///< what was recorded meanwhile
+  std::vector<CameraReport> cameras;                    ///< empty unless the source are cameras
+  TriggerLineCounts line;                               ///< of the cameras
+  ReceptionCost reception;                              ///< of the cameras' frames
 };
 
 [[nodiscard]] nlohmann::ordered_json toJson(const InspectedRail& rail);

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   vignole::cli::addStudy(app, exitCode);
   vignole::cli::addArchive(app, exitCode);
   vignole::cli::addRecording(app, exitCode);
+  vignole::cli::addSite(app, exitCode);
   vignole::cli::addBench(app, exitCode);
   try {
     app.parse(argc, argv);

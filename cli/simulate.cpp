@@ -15,6 +15,7 @@ void addSimulate(CLI::App& app, int& exitCode) {
   addSimulatePlate(*simulate, exitCode);
   addSimulateTarget(*simulate, exitCode);
   addSimulateCampaign(*simulate, exitCode);
+  addSimulateServe(*simulate, exitCode);
 }
 
 }  // namespace vignole::cli

@@ -11,5 +11,6 @@ void addSimulateRail(CLI::App& simulate, int& exitCode);
 void addSimulatePlate(CLI::App& simulate, int& exitCode);
 void addSimulateTarget(CLI::App& simulate, int& exitCode);
 void addSimulateCampaign(CLI::App& simulate, int& exitCode);
+void addSimulateServe(CLI::App& simulate, int& exitCode);
 
 }  // namespace vignole::cli

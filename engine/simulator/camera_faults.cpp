@@ -11,14 +11,6 @@ constexpr float kSaturatedGain = 12;
 
 }  // namespace
 
-const Fault* activeFault(std::span<const Fault> faults, std::string_view kind, int camera, std::uint64_t trigger) {
-  const Fault* found = nullptr;
-  for (const Fault& f : faults)
-    if (f.kind == kind && (f.camera < 0 || camera < 0 || f.camera == camera) && trigger >= f.from && trigger <= f.to)
-      found = &f;
-  return found;
-}
-
 CameraShot shotUnder(std::span<const Fault> faults, const RigCalibration& rig, int camera, std::uint64_t trigger) {
   CameraShot shot;
   shot.camera = camera;

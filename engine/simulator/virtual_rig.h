@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/acquisition/frame.h"
+#include "engine/faults/camera_fault.h"
 #include "engine/geometry/expected.h"
 #include "engine/geometry/image_view.h"
 #include "engine/geometry/transform2.h"
@@ -38,17 +39,6 @@ struct Effects {
 [[nodiscard]] std::vector<std::pair<std::string, double>> list(const Effects& effects);
 /// "speckle=off", "ambient=20", "all=off"; the error lists the names.
 [[nodiscard]] Expected<void> applyEffect(Effects& effects, const std::string& specification);
-
-/// "frame-loss=0.01@2:100-200" and the other kinds of commands.md that make sense without a network:
-/// frame-loss, missed-trigger, die, revive, slow, black, saturated, move, turn, wrong-rail, scale.
-struct Fault {
-  std::string kind;
-  double value = 0;
-  std::string text;                    ///< for wrong-rail: the section
-  int camera = -1;                     ///< 0..3, -1 all
-  std::uint64_t from = 0, to = ~0ULL;  ///< triggers, inclusive
-};
-[[nodiscard]] Expected<Fault> parseFault(const std::string& specification);
 
 struct VirtualRigSettings {
   Section section;

@@ -88,7 +88,7 @@ class VirtualSource final : public FrameSource {
     if (!waitForTrigger(trigger, stop)) return {};
     if (const Fault* slow = fault("slow", camera, trigger)) pause(slow->value / 1000, stop);
     if (stop.stop_requested() || drawn("missed-trigger", Stream::Missed, camera, trigger)) return {};
-    if (dead(camera, trigger)) return FrameLost{camera, trigger, "camera gone"};
+    if (cameraDead(rig_->settings().faults, camera, trigger)) return FrameLost{camera, trigger, "camera gone"};
     if (drawn("frame-loss", Stream::Loss, camera, trigger)) return FrameLost{camera, trigger, "frame lost"};
 
     // A camera in real time writes over what nobody took: as many frames behind as there are buffers are lost.
@@ -110,10 +110,7 @@ class VirtualSource final : public FrameSource {
   }
 
   [[nodiscard]] const Fault* fault(std::string_view kind, int camera, std::uint64_t trigger) const {
-    const Fault* found = nullptr;
-    for (const Fault& f : rig_->settings().faults)
-      if (f.kind == kind && (f.camera < 0 || f.camera == camera) && trigger >= f.from && trigger <= f.to) found = &f;
-    return found;
+    return activeFault(rig_->settings().faults, kind, camera, trigger);
   }
   [[nodiscard]] bool drawn(std::string_view kind, Stream stream, int camera, std::uint64_t trigger) const {
     const Fault* f = fault(kind, camera, trigger);
@@ -122,16 +119,6 @@ class VirtualSource final : public FrameSource {
     simulator::Draws draws(rig_->settings().seed, stream, {static_cast<std::uint64_t>(camera), trigger});
     return draws.uniform() < f->value;
   }
-  /// Dead from the trigger of "die" to that of a later "revive", or to die's own end.
-  [[nodiscard]] bool dead(int camera, std::uint64_t trigger) const {
-    const Fault* die = fault("die", camera, trigger);
-    if (die == nullptr) return false;
-    const auto& faults = rig_->settings().faults;
-    return std::none_of(faults.begin(), faults.end(), [&](const Fault& f) {
-      return f.kind == "revive" && (f.camera < 0 || f.camera == camera) && f.from > die->from && f.from <= trigger;
-    });
-  }
-
   /// Real time begins with the first trigger that anybody asks for.
   Clock::time_point due(std::uint64_t trigger) {
     const std::lock_guard lock(startMutex_);

@@ -48,8 +48,9 @@ class Folder {
 
 class Program {
  public:
-  explicit Program(const std::vector<std::string>& arguments) {
-    std::vector<std::string> all = {VIGNOLE_CLI};
+  explicit Program(const std::vector<std::string>& arguments, const std::string& executable = VIGNOLE_CLI,
+                   const std::string& input = {}) {
+    std::vector<std::string> all = {executable};
     all.insert(all.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& a : all) argv.push_back(a.data());
@@ -58,10 +59,14 @@ class Program {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 1, folder_.file("out").c_str(), O_WRONLY | O_CREAT, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, folder_.file("err").c_str(), O_WRONLY | O_CREAT, 0600);
-    if (posix_spawn(&pid_, VIGNOLE_CLI, &actions, nullptr, argv.data(), environ) != 0) pid_ = -1;
+    // For reading and writing, so that a FIFO without a writer does not hold it up.
+    if (!input.empty()) posix_spawn_file_actions_addopen(&actions, 0, input.c_str(), O_RDWR, 0);
+    if (posix_spawnp(&pid_, executable.c_str(), &actions, nullptr, argv.data(), environ) != 0) pid_ = -1;
     posix_spawn_file_actions_destroy(&actions);
   }
   void signal(int number) const { ::kill(pid_, number); }
+  /// What it has written on stdout so far.
+  [[nodiscard]] std::string out() const { return contents(folder_.file("out")); }
   ProgramResult wait() {
     ProgramResult result;
     int status = 0;
