@@ -4,9 +4,9 @@
 #include <chrono>
 
 #include "engine/archive/audit_rows.h"
-#include "engine/archive/digest.h"
 #include "engine/archive/kept_texts.h"
 #include "engine/archive/rail_rows.h"
+#include "engine/database/digest.h"
 #include "engine/optics/calibration_age.h"
 
 namespace vignole {

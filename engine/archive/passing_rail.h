@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_writer.h"
+#include "engine/database/database.h"
 #include "engine/packing/profile_record.h"
 
 namespace vignole {

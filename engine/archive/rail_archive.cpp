@@ -34,17 +34,10 @@ class Conditions {
   SqlValues values_;
 };
 
-/// The least text that is greater than every text with this beginning; empty: there is none.
-std::string endOfPrefix(std::string prefix) {
-  while (!prefix.empty() && static_cast<unsigned char>(prefix.back()) == 0xff) prefix.pop_back();
-  if (!prefix.empty()) prefix.back() = static_cast<char>(static_cast<unsigned char>(prefix.back()) + 1);
-  return prefix;
-}
-
 void addPrefix(Conditions& conditions, const std::string& column, const std::string& prefix) {
   if (prefix.empty()) return;
   conditions.add(column + " >= :x", prefix);
-  if (const std::string end = endOfPrefix(prefix); !end.empty()) conditions.add(column + " < :x", end);
+  conditions.add(column + " < :x", prefix + "\xf4\x8f\xbf\xbf");  // the greatest character
 }
 
 void addDimension(Conditions& conditions, const DimensionQuery& query) {
@@ -122,7 +115,7 @@ Expected<std::vector<RailLine>> RailArchive::search(const RailQuery& query) cons
   return guarded([&] {
     const auto held = database_->lock();
     Conditions conditions = conditionsOf(query);
-    const std::string limit = conditions.parameter(static_cast<std::int64_t>(query.limit));
+    const std::string limit = conditions.parameter(atMost(query.limit));
     std::vector<RailLine> lines;
     database_->query(
         "select r.id, r.name, r.heat, r.section, r.recipe_name, r.line, r.began_us, r.ended_us, r.length_m, "

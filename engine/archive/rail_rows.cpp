@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/archive/digest.h"
+#include "engine/database/digest.h"
 
 namespace vignole {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_record.h"
+#include "engine/database/database.h"
 #include "engine/packing/profile_record.h"
 
 namespace vignole {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include "engine/archive/archive_url.h"
 #include "engine/archive/schema.h"
+#include "engine/database/archive_url.h"
 #include "tests/archive/archive_folder.h"
 
 namespace vignole {
@@ -16,13 +16,72 @@ TEST(ArchiveUrl, NamesAFileOrAServer) {
   EXPECT_EQ(parseArchiveUrl("a b.db")->file, "a b.db");
   EXPECT_EQ(parseArchiveUrl("sqlite:rails.db")->file, "rails.db");
   EXPECT_EQ(parseArchiveUrl("sqlite:///var/rails.db")->file, "/var/rails.db");
-  const auto server = parseArchiveUrl("postgresql://vignole:secret@mill/rails?sslmode=require");
+  const auto server = parseArchiveUrl("postgresql://vignole:secret@mill:5433/rails?sslmode=require");
   ASSERT_TRUE(server);
   EXPECT_EQ(server->kind, ArchiveKind::Postgresql);
-  EXPECT_EQ(shown(*server), "postgresql://mill/rails");
+  EXPECT_EQ(shown(*server), "postgresql://mill:5433/rails");
   EXPECT_FALSE(parseArchiveUrl(""));
   EXPECT_FALSE(parseArchiveUrl("sqlite:"));
   EXPECT_FALSE(parseArchiveUrl("mysql://host/rails"));
+}
+
+TEST(ArchiveUrl, ShowsNoPasswordWhereverItStands) {
+  for (const char* url : {"postgresql://ann:secret@mill/rails", "postgresql://mill/rails?user=ann&password=secret",
+                          "postgresql://mill/rails?password=a%40secret", "postgres://ann:se%2Fcret%3Fsecret@mill/rails",
+                          "postgresql://ann:sec%ret%secret@mill/rails", "postgresql://ann:secret/x",
+                          "postgresql://ann:secret@[::1/rails", "postgresql://ann:secret@mill/rails?nonsense=1"}) {
+    const auto parsed = parseArchiveUrl(url);
+    const std::string words = parsed ? shown(*parsed) : parsed.error().message();
+    EXPECT_EQ(words.find("secret"), std::string::npos) << words;
+    const auto opened = Archive::open(url);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().message().find("secret"), std::string::npos) << opened.error().message();
+    EXPECT_EQ(opened.error().message().find('\n'), std::string::npos);
+  }
+}
+
+TEST(ArchiveServer, RefusesAWrongPasswordAndNeverTellsIt) {
+  if (!testing::PostgresqlServer::wished()) GTEST_SKIP() << "needs PostgreSQL";
+  auto& server = testing::PostgresqlServer::ofThisProgram();
+  const auto wrong = Archive::open(server.urlWithPassword("wrongwrong"), Archive::Missing::Create);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().kind, ErrorKind::Input);
+  EXPECT_EQ(wrong.error().message().find("wrongwrong"), std::string::npos) << wrong.error().message();
+}
+
+TEST(ArchiveServer, ThatIsAwayIsTheWorldsFaultAndAConnectionIsMadeAnew) {
+  if (!testing::PostgresqlServer::wished()) GTEST_SKIP() << "needs PostgreSQL";
+  const ArchiveFolder folder;
+  testing::PostgresqlServer server;
+  Archive archive = testing::openArchive(server.url("a"));
+  Database& database = *archive.database();
+  const std::string event = "insert into event (time_us, source, content, by_user) values (1, 'a', 'b', 'c')";
+  database.run(event);
+  server.stop();
+  const auto away = guarded([&] { database.run(event); });
+  ASSERT_FALSE(away);
+  EXPECT_EQ(away.error().kind, ErrorKind::World);
+  EXPECT_EQ(away.error().message().find(testing::PostgresqlServer::kPassword), std::string::npos);
+  server.start();
+  database.run(event);
+  EXPECT_EQ(database.first("select count(*) from event", {}, "i")->integer(0), 2);
+  // Cut off unnoticed: what is read is asked for again, what is written is begun again.
+  server.stop();
+  server.start();
+  EXPECT_EQ(database.first("select count(*) from event", {}, "i")->integer(0), 2);
+  server.stop();
+  server.start();
+  database.run(event);
+  EXPECT_EQ(database.first("select count(*) from event", {}, "i")->integer(0), 3);
+  // In the middle of a transaction nothing of it stays.
+  {
+    Transaction transaction(database);
+    database.run(event);
+    server.stop();
+    server.start();
+    EXPECT_THROW(database.run(event), DatabaseFailure);
+  }
+  EXPECT_EQ(database.first("select count(*) from event", {}, "i")->integer(0), 3);
 }
 
 TEST(Archive, IsMadeOnlyWhereItIsAskedForAndNotForTheWorldToRead) {
@@ -46,13 +105,11 @@ TEST(Archive, RefusesFilesThatAreNone) {
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().kind, ErrorKind::Input);
   EXPECT_FALSE(Archive::open(std::filesystem::path(folder.file()).parent_path().string()));
-  const auto server = Archive::open("postgresql://mill/rails");
-  ASSERT_FALSE(server);
   {
-    Database other(*parseArchiveUrl(folder.file("other.db")), Database::Missing::Create);
+    Database other(*parseArchiveUrl(folder.url("other.db")), Database::Missing::Create);
     other.run("create table customers (name text)");
   }
-  const auto other = Archive::open(folder.file("other.db"));
+  const auto other = Archive::open(folder.url("other.db"));
   ASSERT_FALSE(other);
   EXPECT_NE(other.error().what.find("another program"), std::string::npos) << other.error().message();
 }
@@ -60,17 +117,17 @@ TEST(Archive, RefusesFilesThatAreNone) {
 TEST(Archive, OfALaterVersionIsRefused) {
   const ArchiveFolder folder;
   {
-    const Archive archive = testing::openArchive(folder.file());
+    const Archive archive = testing::openArchive(folder.url());
     archive.database()->run("update archive set version = 99");
   }
-  const auto later = Archive::open(folder.file());
+  const auto later = Archive::open(folder.url());
   ASSERT_FALSE(later);
   EXPECT_NE(later.error().what.find("later version"), std::string::npos) << later.error().message();
 }
 
 TEST(Schema, OlderArchivesAreBroughtForwardStepByStepOrNotAtAll) {
   const ArchiveFolder folder;
-  Database database(*parseArchiveUrl(folder.file()), Database::Missing::Create);
+  Database database(*parseArchiveUrl(folder.url()), Database::Missing::Create);
   std::vector<Migration> steps = {{1, {"create table a (x bigint)", "insert into a (x) values (5)"}}};
   migrate(database, steps);
   EXPECT_EQ(schemaVersion(database), 1);
@@ -78,7 +135,7 @@ TEST(Schema, OlderArchivesAreBroughtForwardStepByStepOrNotAtAll) {
   steps.push_back({3, {"create table b (z bigint)", "insert into nowhere values (1)"}});
   EXPECT_THROW(migrate(database, steps), DatabaseFailure);
   EXPECT_EQ(schemaVersion(database), 1);
-  EXPECT_FALSE(database.first("select name from sqlite_master where name = 'b'", {}, "t"));
+  EXPECT_FALSE(database.hasTable("b"));
   steps.back().statements.back() = "insert into b (z) select y from a";
   migrate(database, steps);
   EXPECT_EQ(schemaVersion(database), 3);
@@ -87,14 +144,16 @@ TEST(Schema, OlderArchivesAreBroughtForwardStepByStepOrNotAtAll) {
 
 TEST(Database, ValuesComeBackToTheBit) {
   const ArchiveFolder folder;
-  Database database(*parseArchiveUrl(folder.file("a=b \"c\".db")), Database::Missing::Create);
-  database.run("create table t (i bigint, r real, t text, b blob)");
+  Database database(*parseArchiveUrl(folder.url("a=b \"c\".db")), Database::Missing::Create);
+  database.run(std::string("create table t (i bigint, r double precision, t text, b ") +
+               (database.url().kind == ArchiveKind::Sqlite ? "blob)" : "bytea)"));
   const SqlValues values = {std::int64_t{INT64_MIN + 1}, 0.1 + 0.2, std::string("O'Brien; drop table t -- \xc3\xa9"),
                             Bytes{0, 1, 0, 255}};
   database.run("insert into t values (:a, :b, :c, :d)", values);
   database.run("insert into t values (:a, :b, :c, :d)", {{}, {}, {}, {}});
   std::vector<Row> rows;
-  database.query("select i, r, t, b from t order by rowid", {}, "irtb", [&](const Row& row) { rows.push_back(row); });
+  database.query("select i, r, t, b from t order by i is null", {}, "irtb",
+                 [&](const Row& row) { rows.push_back(row); });
   ASSERT_EQ(rows.size(), 2U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(rows[0].value(i), values[i]);
@@ -104,7 +163,7 @@ TEST(Database, ValuesComeBackToTheBit) {
 
 TEST(Database, ATransactionThatIsLeftIsUndone) {
   const ArchiveFolder folder;
-  Database database(*parseArchiveUrl(folder.file()), Database::Missing::Create);
+  Database database(*parseArchiveUrl(folder.url()), Database::Missing::Create);
   database.run("create table t (i bigint)");
   {
     Transaction outer(database);
@@ -123,12 +182,21 @@ TEST(Database, ATransactionThatIsLeftIsUndone) {
 
 TEST(Archive, IsBackedUpWholeIntoANewFile) {
   const ArchiveFolder folder;
-  Archive archive = testing::openArchive(folder.file());
+  Archive archive = testing::openArchive(folder.url());
   archive.database()->run("insert into event (time_us, source, content, by_user) values (1, 'a', 'b', 'c')");
   ASSERT_TRUE(archive.backUpTo(folder.file("copy.db")));
   EXPECT_FALSE(archive.backUpTo(folder.file("copy.db")));
   const Archive copy = testing::openArchive(folder.file("copy.db"), Archive::Missing::Refuse);
   EXPECT_EQ(copy.database()->first("select content from event", {}, "t")->text(0), "b");
+}
+
+TEST(Database, TextsThatNoDatabaseTakesAreMadeStorable) {
+  EXPECT_EQ(storableText("Böhler 轨 \xf0\x9f\x9b\xa4"), "Böhler 轨 \xf0\x9f\x9b\xa4");
+  EXPECT_EQ(storableText(std::string("a\0b", 3)),
+            "a\xef\xbf\xbd"
+            "b");
+  for (const char* bad : {"\xff", "\xc3", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
+    EXPECT_TRUE(storableText(bad).starts_with("\xef\xbf\xbd")) << bad;
 }
 
 TEST(Time, IsWrittenAndReadInUtc) {
