@@ -198,6 +198,47 @@ Expected<std::string> RailArchive::calibrationText(const StoredRail& rail) const
   });
 }
 
+Expected<std::optional<RailHold>> RailArchive::hold(std::int64_t key) const {
+  return guarded([&]() -> std::optional<RailHold> {
+    const auto row = database_->first("select held_us, held_why from rail where id = :a", {key}, "it");
+    if (!row || row->null(0)) return {};
+    return RailHold{row->integer(0), row->text(1)};
+  });
+}
+
+Expected<void> RailArchive::setHold(std::int64_t key, const std::string& why, const std::string& user,
+                                    const std::string& reason) {
+  return guarded([&] {
+    Transaction transaction(*database_);
+    const StoredRail rail = loadRail(*database_, key);
+    const TimeUs now = systemTimeUs();
+    appendAudit(*database_, now,
+                {user, why.empty() ? "rail released" : "rail held", rail.summary.rail.id, reason,
+                 "uid " + rail.uid + (why.empty() ? "" : ", " + why)});
+    database_->run("update rail set held_us = :a, held_why = :b where id = :c",
+                   {why.empty() ? SqlValue() : SqlValue(now), why.empty() ? SqlValue() : SqlValue(why), key});
+    transaction.commit();
+  });
+}
+
+Expected<std::vector<RecordingReference>> RailArchive::recordings(std::int64_t key) const {
+  return guarded([&] {
+    std::vector<RecordingReference> all;
+    database_->query("select place, digest, stored_us from recording where rail = :a order by id", {key}, "tti",
+                     [&](const Row& row) {
+                       all.push_back({row.text(0), row.text(1), row.integer(2)});
+                     });
+    return all;
+  });
+}
+
+Expected<void> RailArchive::addRecording(std::int64_t key, const RecordingReference& recording) {
+  return guarded([&] {
+    database_->run("insert into recording (rail, place, digest, stored_us) values (:a, :b, :c, :d)",
+                   {key, recording.place, recording.digest, recording.storedUs});
+  });
+}
+
 Expected<void> RailArchive::remove(std::int64_t key, const std::string& user, const std::string& reason) {
   return guarded([&] {
     Transaction transaction(*database_);
@@ -205,6 +246,10 @@ Expected<void> RailArchive::remove(std::int64_t key, const std::string& user, co
     if (rail.state == RailState::Running)
       throw DatabaseFailure(
           {"rail " + rail.summary.rail.id, "is passing; it can be removed when it has", ErrorKind::Input});
+    if (const auto held =
+            database_->first("select held_why from rail where id = :a and held_us is not null", {key}, "t"))
+      throw DatabaseFailure(
+          {"rail " + rail.summary.rail.id, "is held (" + held->text(0) + "); release it first", ErrorKind::Input});
     appendAudit(*database_, systemTimeUs(),
                 {user, "rail removed", rail.summary.rail.id, reason,
                  "uid " + rail.uid + ", measured " + isoTime(rail.beganUs)});

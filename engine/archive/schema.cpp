@@ -95,6 +95,10 @@ const std::vector<Migration> kMigrations = {
       "before {text} not null, digest {text} not null)",
       "create table audit_head (id integer not null primary key, number bigint not null, digest {text} not null)",
       "insert into audit_head (id, number, digest) values (1, 0, '')"}},
+    {2,
+     {// Why a rail stays whatever its age: an evidence pack was handed out.
+      "alter table rail add column held_us bigint", "alter table rail add column held_why {text}",
+      "create index recording_rail on recording (rail)"}},
 };
 
 std::string inDialect(std::string_view statement, ArchiveKind kind) {

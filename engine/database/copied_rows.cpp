@@ -4,16 +4,28 @@
 
 namespace vignole {
 
+namespace {
+
+/// A name goes into a statement as it is: a file that somebody made up shall not write ours.
+std::string plainName(const std::string& name, const Database& database) {
+  if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
+    throw DatabaseFailure(
+        {shown(database.url()), "holds a table or column that is none of an archive", ErrorKind::Input});
+  return name;
+}
+
+}  // namespace
+
 bool TableColumns::has(const std::string& column) const {
   return std::find(names.begin(), names.end(), column) != names.end();
 }
 
 TableColumns columnsOf(Database& sqlite, const std::string& table) {
   TableColumns columns;
-  columns.table = table;
+  columns.table = plainName(table, sqlite);
   sqlite.query("select name, type from pragma_table_info(:a)", {table}, "tt", [&](const Row& row) {
     const std::string type = row.text(1);
-    columns.names.push_back(row.text(0));
+    columns.names.push_back(plainName(row.text(0), sqlite));
     columns.kinds += type == "text" || type == "TEXT"   ? 't'
                      : type == "real" || type == "REAL" ? 'r'
                      : type == "blob" || type == "BLOB" ? 'b'
@@ -25,7 +37,7 @@ TableColumns columnsOf(Database& sqlite, const std::string& table) {
 std::vector<std::string> tablesOf(Database& sqlite) {
   std::vector<std::string> tables;
   sqlite.query("select name from sqlite_master where type = 'table' and name not like 'sqlite%' order by rowid", {},
-               "t", [&](const Row& row) { tables.push_back(row.text(0)); });
+               "t", [&](const Row& row) { tables.push_back(plainName(row.text(0), sqlite)); });
   return tables;
 }
 

@@ -1,10 +1,15 @@
 #include "engine/archive/archive.h"
 
+#include <atomic>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <thread>
 
+#include "engine/archive/rail_archive.h"
 #include "engine/archive/schema.h"
+#include "engine/archive/verify_archive.h"
 #include "engine/database/archive_url.h"
+#include "engine/database/copied_rows.h"
 #include "tests/archive/archive_folder.h"
 
 namespace vignole {
@@ -142,6 +147,59 @@ TEST(Schema, OlderArchivesAreBroughtForwardStepByStepOrNotAtAll) {
   EXPECT_EQ(database.first("select z from b", {}, "i")->integer(0), 6);
 }
 
+/// Archives of every version that there was, as they were written then.
+class OfEveryOlderVersion : public ::testing::TestWithParam<int> {
+ protected:
+  static void load(const std::string& file, int version) {
+    Database database(*parseArchiveUrl(file), Database::Missing::Create);
+    database.run("pragma foreign_keys = off");  // its tables come in another order
+    std::ifstream sql(std::string(VIGNOLE_SOURCE_DIR) + "/tests/data/archive/version_" + std::to_string(version) +
+                      ".sql");
+    ASSERT_TRUE(sql) << "an archive of version " << version << " belongs into tests/data/archive";
+    std::string statement;
+    for (std::string line; std::getline(sql, line);) {
+      statement += line + "\n";
+      if (!line.ends_with(";")) continue;
+      if (!statement.starts_with("BEGIN") && !statement.starts_with("COMMIT")) database.run(statement);
+      statement.clear();
+    }
+    ASSERT_EQ(schemaVersion(database), version);
+  }
+};
+
+TEST_P(OfEveryOlderVersion, IsBroughtForwardWholeAndGoesOnBeingWritten) {
+  const ArchiveFolder folder;
+  load(folder.file(), GetParam());
+  {
+    const Archive archive = testing::openArchive(folder.file(), Archive::Missing::Refuse);
+    EXPECT_EQ(archive.schemaVersion(), migrations().back().version);
+    const auto check = verifyArchive(archive);
+    ASSERT_TRUE(check) << check.error().message();
+    for (const ArchiveFinding& f : check->findings) ADD_FAILURE() << f.where << ": " << f.what;
+    EXPECT_EQ(check->rails, 3U);
+    EXPECT_EQ(check->profiles, 60U);
+    EXPECT_EQ(RailArchive(archive).recordings(2)->size(), 1U);
+    EXPECT_FALSE(*RailArchive(archive).hold(1));
+  }
+  GeneratedRails g;
+  g.rails = 2;
+  g.lengthM = 0.3;
+  ASSERT_TRUE(generateRails(folder.file(), testing::recipe(), g));
+  const Archive archive = testing::openArchive(folder.file(), Archive::Missing::Refuse);
+  EXPECT_EQ(*RailArchive(archive).count(), 5U);
+  EXPECT_TRUE(verifyArchive(archive)->findings.empty());
+  // The same tables as those of a new one.
+  const Archive fresh = testing::openArchive(folder.file("new.db"));
+  std::vector<std::string> tables = tablesOf(*fresh.database());
+  for (const std::string& table : tables) {
+    const TableColumns is = columnsOf(*archive.database(), table), meant = columnsOf(*fresh.database(), table);
+    EXPECT_EQ(is.names, meant.names) << table;
+    EXPECT_EQ(is.kinds, meant.kinds) << table;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schema, OfEveryOlderVersion, ::testing::Range(1, migrations().back().version));
+
 TEST(Database, ValuesComeBackToTheBit) {
   const ArchiveFolder folder;
   Database database(*parseArchiveUrl(folder.url("a=b \"c\".db")), Database::Missing::Create);
@@ -184,10 +242,52 @@ TEST(Archive, IsBackedUpWholeIntoANewFile) {
   const ArchiveFolder folder;
   Archive archive = testing::openArchive(folder.url());
   archive.database()->run("insert into event (time_us, source, content, by_user) values (1, 'a', 'b', 'c')");
-  ASSERT_TRUE(archive.backUpTo(folder.file("copy.db")));
+  GeneratedRails g;
+  g.rails = 3;
+  g.lengthM = 0.3;
+  g.failingShare = 1;
+  ASSERT_TRUE(generateRails(folder.url(), testing::recipe(), g));
+  const auto backedUp = archive.backUpTo(folder.file("copy.db"));
+  ASSERT_TRUE(backedUp) << backedUp.error().message();
   EXPECT_FALSE(archive.backUpTo(folder.file("copy.db")));
   const Archive copy = testing::openArchive(folder.file("copy.db"), Archive::Missing::Refuse);
   EXPECT_EQ(copy.database()->first("select content from event", {}, "t")->text(0), "b");
+  const auto check = verifyArchive(copy);
+  ASSERT_TRUE(check);
+  EXPECT_TRUE(check->findings.empty());
+  EXPECT_EQ(check->rails, 3U);
+  EXPECT_EQ(check->profiles, 60U);
+  const auto rights = std::filesystem::status(folder.file("copy.db")).permissions();
+  EXPECT_EQ(rights & std::filesystem::perms::others_all, std::filesystem::perms::none);
+}
+
+TEST(Archive, IsBackedUpWhileItIsMeasuredInto) {
+  const ArchiveFolder folder;
+  Archive archive = testing::openArchive(folder.url());
+  std::atomic<bool> failed = false;
+  std::jthread measuring([&](const std::stop_token& stop) {
+    for (GeneratedRails g; !stop.stop_requested(); ++g.seed) {
+      g.rails = 3;
+      g.lengthM = 0.3;
+      if (!generateRails(folder.url(), testing::recipe(), g)) failed = true;
+    }
+  });
+  std::uint64_t before = 0;
+  for (int i = 0; i < 5; ++i) {
+    const std::string file = folder.file("copy" + std::to_string(i) + ".db");
+    const auto done = archive.backUpTo(file);
+    ASSERT_TRUE(done) << done.error().message();
+    const Archive copy = testing::openArchive(file, Archive::Missing::Refuse);
+    const auto check = verifyArchive(copy);
+    ASSERT_TRUE(check);
+    for (const ArchiveFinding& f : check->findings) ADD_FAILURE() << f.where << ": " << f.what;
+    EXPECT_EQ(check->rails % 3, 0U);  // whole transactions alone
+    EXPECT_GE(check->rails, before);
+    before = check->rails;
+  }
+  measuring.request_stop();
+  measuring.join();
+  EXPECT_FALSE(failed);
 }
 
 TEST(Database, TextsThatNoDatabaseTakesAreMadeStorable) {
