@@ -184,6 +184,15 @@ Expected<std::optional<Profile>> RailArchive::points(std::int64_t key, std::uint
   });
 }
 
+Expected<std::map<std::uint64_t, Bytes>> RailArchive::packedPoints(std::int64_t key) const {
+  return guarded([&] {
+    std::map<std::uint64_t, Bytes> all;
+    database_->query("select profile, content from profile_points where rail = :a order by profile", {key}, "ib",
+                     [&](const Row& row) { all.emplace(static_cast<std::uint64_t>(row.integer(0)), row.bytes(1)); });
+    return all;
+  });
+}
+
 Expected<std::string> RailArchive::recipeText(const StoredRail& rail) const {
   return guarded([&] {
     const auto row = database_->first("select content from recipe where id = :a", {rail.recipe}, "t");

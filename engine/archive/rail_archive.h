@@ -1,6 +1,7 @@
 #pragma once
 // Stored rails: found, opened, replayed, removed.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,8 @@ class RailArchive {
   [[nodiscard]] Expected<std::vector<std::uint64_t>> profilesWithPoints(std::int64_t key) const;
   /// Empty where they were not kept.
   [[nodiscard]] Expected<std::optional<Profile>> points(std::int64_t key, std::uint64_t profile) const;
+  /// All of them, as they are kept (packPoints), by number of the profile.
+  [[nodiscard]] Expected<std::map<std::uint64_t, Bytes>> packedPoints(std::int64_t key) const;
   /// The text of the recipe and of the calibration that it was measured with; empty where there is none.
   [[nodiscard]] Expected<std::string> recipeText(const StoredRail& rail) const;
   [[nodiscard]] Expected<std::string> calibrationText(const StoredRail& rail) const;

@@ -115,8 +115,9 @@ std::string toToml(const RigCalibration& calibration) {
   return text;
 }
 
-Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
-  auto opened = TomlReader::load(file);
+namespace {
+
+Expected<RigCalibration> calibrationFrom(Expected<TomlReader> opened) {
   if (!opened) return tl::unexpected<Error>(opened.error());
   TomlReader& toml = *opened;
   RigCalibration calibration;
@@ -145,6 +146,16 @@ Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
   calibration.covariance = readCovariance(toml, "uncertainty", parameterNames());
   if (auto done = toml.finish(); !done) return tl::unexpected<Error>(done.error());
   return calibration;
+}
+
+}  // namespace
+
+Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
+  return calibrationFrom(TomlReader::load(file));
+}
+
+Expected<RigCalibration> parseCalibration(std::string_view text, const std::string& nameInErrors) {
+  return calibrationFrom(TomlReader::parse(text, nameInErrors));
 }
 
 Expected<void> saveCalibration(const RigCalibration& calibration, const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/geometry/expected.h"
@@ -79,6 +80,8 @@ struct RigCalibration {
 
 /// TOML, format = 1. Refuses unknown keys, values out of range, rotations that are none (file, key, reason).
 [[nodiscard]] Expected<RigCalibration> loadCalibration(const std::filesystem::path& file);
+/// The same from a text, as toToml() makes it.
+[[nodiscard]] Expected<RigCalibration> parseCalibration(std::string_view text, const std::string& nameInErrors);
 /// Written atomically: temporary file, fsync, rename; the previous version is kept as FILE~.
 [[nodiscard]] Expected<void> saveCalibration(const RigCalibration& calibration, const std::filesystem::path& file);
 [[nodiscard]] std::string toToml(const RigCalibration& calibration);
