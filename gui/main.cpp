@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
-#include <QSaveFile>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
@@ -11,11 +10,13 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "gui/bridge/calibration_in_force.h"
 #include "gui/bridge/self_test.h"
 #include "gui/bridge/virtual_line.h"
 #include "gui/languages/languages.h"
 #include "gui/main_window/main_window.h"
 #include "gui/main_window/options.h"
+#include "gui/main_window/page_round.h"
 #include "gui/monitor/dimension_table.h"
 #include "gui/monitor/monitor_page.h"
 
@@ -35,20 +36,12 @@ bool hasDisplay() { return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironm
 /// Pictures and self-tests need no display; a person does.
 Expected<void> choosePlatform(const Options& options) {
   if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return {};
-  const bool unattended = !options.screenshot.empty() || options.selfTestS;
-  if (!options.screenshot.empty() || (unattended && !hasDisplay()))
+  if (options.pictures() || (options.unattended() && !hasDisplay()))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   else if (!hasDisplay())
     return worldError("display",
                       "there is none (DISPLAY and WAYLAND_DISPLAY are empty); use vignole-cli inspect, or "
                       "--screenshot FILE for a picture of the window");
-  return {};
-}
-
-Expected<void> savePicture(QWidget& window, const std::string& file) {
-  QSaveFile out(QString::fromStdString(file));
-  if (!out.open(QIODevice::WriteOnly) || !window.grab().save(&out, "PNG") || !out.commit())
-    return worldError(file, "cannot be written: " + out.errorString().toStdString());
   return {};
 }
 
@@ -105,7 +98,7 @@ int run(const Options& options) {
   Units units;
   Languages languages;
   if (!options.language.empty()) languages.use(QString::fromStdString(options.language));
-  const bool remembers = options.screenshot.empty() && !options.selfTestS;
+  const bool remembers = !options.unattended();
   if (remembers) {
     // What a person chose on this machine, unless the command line says otherwise.
     const QSettings chosen(QStringLiteral("vignole"), QStringLiteral("vignole"));
@@ -125,8 +118,13 @@ int run(const Options& options) {
           .setValue(QStringLiteral("inches"), units.length() == Units::Length::Inch);
     });
   }
-  Records records = openRecords(options, !options.screenshot.empty() || options.selfTestS);
+  Records records = openRecords(options, options.unattended());
   (*line)->record(records.writer.get());
+  if (records.archive) {
+    auto inForce = calibrationInForce(*records.archive, (*line)->calibration());
+    if (!inForce) return fail(inForce.error());
+    if (*inForce) (*line)->useCalibration(**inForce);
+  }
   Workplace place{theme, **line, session, units};
   place.archive = records.archive ? &*records.archive : nullptr;
   place.archiveUrl = records.url;
@@ -137,8 +135,7 @@ int run(const Options& options) {
   window.resize(options.size);
   ProcessUse begin = processUse();
   (*line)->start();
-  const bool unattended = !options.screenshot.empty() || options.selfTestS;
-  if (unattended)
+  if (options.unattended())
     window.show();
   else
     window.showMaximized();
@@ -155,7 +152,19 @@ int run(const Options& options) {
     });
 
   int exitCode = kDone;
-  if (!options.screenshot.empty()) {
+  std::optional<PageRound> round;
+  std::optional<PagePictures> pictures;
+  if (options.switchPagesS) round.emplace(window, *options.switchPagesS);
+  if (!options.screens.empty()) {
+    // The first waits for the line to have something to show.
+    QTimer::singleShot(static_cast<int>(options.afterS * 1000), &window, [&] {
+      pictures.emplace(window, theme, options.screens, 1.5);
+      QObject::connect(&*pictures, &PagePictures::ended, &window, [&](const QString& problem) {
+        if (!problem.isEmpty()) exitCode = fail({"--screens", problem.toStdString(), ErrorKind::World});
+        QCoreApplication::exit();
+      });
+    });
+  } else if (!options.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(options.afterS * 1000), &window, [&] {
       window.tick(PullDetail::Everything);
       if (auto saved = savePicture(window, options.screenshot); !saved) exitCode = fail(saved.error());

@@ -82,7 +82,34 @@ Curve frameOf(const Intrinsics& in) {
   return {"", {{0, 0}, {w, 0}, {w, h}, {0, h}, {0, 0}}, 4, true, 1};
 }
 
-PlotBlock maps(const IntrinsicsCalibration& c) {
+TableBlock viewTable(const IntrinsicsCalibration& c) {
+  TableBlock table{"Views", {"<picture", "points", "rejected", "RMS px", "mean px", "<not used, because"}, {}, {}, ""};
+  for (const ViewResult& v : c.views) {
+    table.rows.push_back({fileName(v.file), std::to_string(v.points), std::to_string(v.rejected),
+                          v.used ? fixedText(v.rmsPx, 3) : "", v.used ? fixedText(v.meanPx, 3) : "", v.reason});
+    table.standings.push_back(v.used ? Standing::None : Standing::Near);
+  }
+  return table;
+}
+
+PictureBlock pictures(const IntrinsicsReport& report) {
+  PictureBlock block{"Pictures (Fig. 7)", 4, {}, "Dots: the points found."};
+  for (std::size_t i = 0; i < report.pictures.size() && block.cells.size() < kMostPictures; ++i) {
+    const Picture* picture = report.pictures[i];
+    if (picture == nullptr || i >= report.calibration->views.size()) continue;
+    const ViewResult& view = report.calibration->views[i];
+    PictureCell cell{picture->width, picture->height, picture->pixels, {}, fileName(view.file)};
+    Curve dots{"", {}, view.used ? 1 : 6, false, 2.5};
+    for (const PointResult& p : view.pointResults) dots.points.push_back(p.px);
+    cell.curves.push_back(std::move(dots));
+    block.cells.push_back(std::move(cell));
+  }
+  return block;
+}
+
+}  // namespace
+
+PlotBlock lensMaps(const IntrinsicsCalibration& c) {
   const Intrinsics& in = c.camera.intrinsics;
   Plot seen{"Points of all views", "column px", "row px", {frameOf(in)}, true, true, {}, false};
   Curve dots{"", {}, 5, false, 2};
@@ -120,33 +147,6 @@ PlotBlock maps(const IntrinsicsCalibration& c) {
               " times (the longest is " + fixedText(longest, 3) + " px)."};
 }
 
-TableBlock viewTable(const IntrinsicsCalibration& c) {
-  TableBlock table{"Views", {"<picture", "points", "rejected", "RMS px", "mean px", "<not used, because"}, {}, {}, ""};
-  for (const ViewResult& v : c.views) {
-    table.rows.push_back({fileName(v.file), std::to_string(v.points), std::to_string(v.rejected),
-                          v.used ? fixedText(v.rmsPx, 3) : "", v.used ? fixedText(v.meanPx, 3) : "", v.reason});
-    table.standings.push_back(v.used ? Standing::None : Standing::Near);
-  }
-  return table;
-}
-
-PictureBlock pictures(const IntrinsicsReport& report) {
-  PictureBlock block{"Pictures (Fig. 7)", 4, {}, "Dots: the points found."};
-  for (std::size_t i = 0; i < report.pictures.size() && block.cells.size() < kMostPictures; ++i) {
-    const Picture* picture = report.pictures[i];
-    if (picture == nullptr || i >= report.calibration->views.size()) continue;
-    const ViewResult& view = report.calibration->views[i];
-    PictureCell cell{picture->width, picture->height, picture->pixels, {}, fileName(view.file)};
-    Curve dots{"", {}, view.used ? 1 : 6, false, 2.5};
-    for (const PointResult& p : view.pointResults) dots.points.push_back(p.px);
-    cell.curves.push_back(std::move(dots));
-    block.cells.push_back(std::move(cell));
-  }
-  return block;
-}
-
-}  // namespace
-
 Document intrinsicsDocument(const IntrinsicsReport& report) {
   const IntrinsicsCalibration& c = *report.calibration;
   Document document;
@@ -166,7 +166,7 @@ Document intrinsicsDocument(const IntrinsicsReport& report) {
     blocks.emplace_back(Heading{"The next picture"});
     blocks.emplace_back(Paragraph{report.advice, false});
   }
-  blocks.emplace_back(maps(c));
+  blocks.emplace_back(lensMaps(c));
   if (!report.pictures.empty()) blocks.emplace_back(pictures(report));
   blocks.emplace_back(viewTable(c));
   return document;

@@ -14,6 +14,8 @@ struct IntrinsicsReport {
   std::string advice;                    ///< the next pose in words; empty: none
 };
 
+/// Points of all views, and the mean residual by place, with a note on its magnification.
+[[nodiscard]] PlotBlock lensMaps(const IntrinsicsCalibration& calibration);
 [[nodiscard]] Document intrinsicsDocument(const IntrinsicsReport& report);
 
 }  // namespace vignole

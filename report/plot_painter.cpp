@@ -175,22 +175,27 @@ class PlotPainter {
   void key() {
     painter_.setFont(typeface(kTextPx));
     const QFontMetricsF metrics(painter_.font());
-    double x = inner_.left();
+    double wanted = 0;
+    for (const Curve& c : plot_.curves)
+      if (!c.name.empty()) wanted += 56 + metrics.horizontalAdvance(text(c.name));
+    const bool tight = wanted > area_.right() - inner_.left();
+    const double mark = tight ? 8 : 22, gap = tight ? 6 : 26;
+    double x = tight ? area_.left() : inner_.left();
     const double y = area_.bottom() - 4;
     for (const Curve& c : plot_.curves) {
       if (c.name.empty()) continue;
       const QColor colour = curveColour(c.colour, palette_);
       if (c.line) {
         painter_.setPen(QPen(colour, 2));
-        painter_.drawLine(QPointF(x, y - 5), QPointF(x + 22, y - 5));
+        painter_.drawLine(QPointF(x, y - 5), QPointF(x + mark, y - 5));
       } else {
         painter_.setPen(Qt::NoPen);
         painter_.setBrush(colour);
-        painter_.drawEllipse(QPointF(x + 11, y - 5), 3.5, 3.5);
+        painter_.drawEllipse(QPointF(x + mark / 2, y - 5), 3.5, 3.5);
       }
       painter_.setPen(palette_.t2);
-      painter_.drawText(QPointF(x + 30, y), text(c.name));
-      x += 30 + metrics.horizontalAdvance(text(c.name)) + 26;
+      painter_.drawText(QPointF(x + mark + (tight ? 3 : 8), y), text(c.name));
+      x += mark + (tight ? 3 : 8) + metrics.horizontalAdvance(text(c.name)) + gap;
     }
   }
 

@@ -173,24 +173,10 @@ PictureBlock pictures(const RigCalibrationReport& report, bool lines) {
 }
 
 PlotBlock features(const RigAdjustment& a) {
-  Plot plot{"", "x mm", "y mm", {}, true, false, {}, false};
-  std::vector<Curve> found;
-  for (int camera = 0; camera < kCameraCount; ++camera) found.push_back({cameraName(camera), {}, camera, false, 2.2});
-  for (const PinView& pin : a.pins)
-    if (pin.used && pin.placement == 0)
-      for (const Point2& p : pin.pointsInWorld) found[static_cast<std::size_t>(pin.camera)].points.push_back(p);
-  for (const CalibratedPin& pin : a.calibration.pins) {
-    Curve circle{"", {}, 4, true, 0.8};
-    for (int i = 0; i <= 72; ++i)
-      circle.points.emplace_back(pin.xMm + pin.radiusMm * std::cos(kFullTurn * i / 72),
-                                 pin.yMm + pin.radiusMm * std::sin(kFullTurn * i / 72));
-    plot.curves.push_back(std::move(circle));
-  }
-  for (Curve& curve : found) plot.curves.push_back(std::move(curve));
   return {"Pins in the world (Fig. 8d)",
           1,
           0.95,
-          {std::move(plot)},
+          {pinsInWorld(a)},
           "Circles: the pins as found; points: the lines of the first placement through the calibration."};
 }
 
@@ -230,6 +216,24 @@ TableBlock plateTable(const RigCalibrationReport& report) {
 }
 
 }  // namespace
+
+Plot pinsInWorld(const RigAdjustment& a) {
+  Plot plot{"", "x mm", "y mm", {}, true, false, {}, false};
+  std::vector<Curve> found;
+  for (int camera = 0; camera < kCameraCount; ++camera) found.push_back({cameraName(camera), {}, camera, false, 2.2});
+  for (const PinView& pin : a.pins)
+    if (pin.used && pin.placement == 0)
+      for (const Point2& p : pin.pointsInWorld) found[static_cast<std::size_t>(pin.camera)].points.push_back(p);
+  for (const CalibratedPin& pin : a.calibration.pins) {
+    Curve circle{"", {}, 4, true, 0.8};
+    for (int i = 0; i <= 72; ++i)
+      circle.points.emplace_back(pin.xMm + pin.radiusMm * std::cos(kFullTurn * i / 72),
+                                 pin.yMm + pin.radiusMm * std::sin(kFullTurn * i / 72));
+    plot.curves.push_back(std::move(circle));
+  }
+  for (Curve& curve : found) plot.curves.push_back(std::move(curve));
+  return plot;
+}
 
 Document rigCalibrationDocument(const RigCalibrationReport& report) {
   const RigAdjustment& a = *report.adjustment;

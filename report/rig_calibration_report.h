@@ -25,6 +25,8 @@ struct RigCalibrationReport {
   bool simulation = false;
 };
 
+/// Fig. 8d: the pins as found and the points of the first placement, in the world.
+[[nodiscard]] Plot pinsInWorld(const RigAdjustment& adjustment);
 [[nodiscard]] Document rigCalibrationDocument(const RigCalibrationReport& report);
 
 }  // namespace vignole

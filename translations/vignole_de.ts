@@ -1211,6 +1211,153 @@
     </message>
 </context>
 <context>
+    <name>RecipeSetting</name>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Profile class</source>
+        <translation>Profilklasse</translation>
+    </message>
+    <message>
+        <source>Straightness class</source>
+        <translation>Geradheitsklasse</translation>
+    </message>
+    <message>
+        <source>RFH: distance from the axis, mm</source>
+        <translation>RFH: Abstand von der Achse, mm</translation>
+    </message>
+    <message>
+        <source>HF: half width of the crown, mm</source>
+        <translation>HF: halbe Breite der Fahrfläche, mm</translation>
+    </message>
+    <message>
+        <source>HW: depth below the crown, mm</source>
+        <translation>HW: Tiefe unter der Fahrfläche, mm</translation>
+    </message>
+    <message>
+        <source>HWA: the AREMA depth, mm</source>
+        <translation>HWA: die AREMA-Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>FT: inside the foot edges, mm</source>
+        <translation>FT: einwärts von den Fußkanten, mm</translation>
+    </message>
+    <message>
+        <source>RAS: depth below the crown, mm</source>
+        <translation>RAS: Tiefe unter der Fahrfläche, mm</translation>
+    </message>
+    <message>
+        <source>WT: height, mm (none: thinnest)</source>
+        <translation>WT: Höhe, mm (ohne: dünnste Stelle)</translation>
+    </message>
+    <message>
+        <source>Base line: inside the foot edges, mm</source>
+        <translation>Grundlinie: einwärts von den Fußkanten, mm</translation>
+    </message>
+    <message>
+        <source>Line: smoothing σ, px</source>
+        <translation>Linie: Glättung σ, px</translation>
+    </message>
+    <message>
+        <source>Line: low threshold, DN</source>
+        <translation>Linie: untere Schwelle, DN</translation>
+    </message>
+    <message>
+        <source>Line: high threshold, DN</source>
+        <translation>Linie: obere Schwelle, DN</translation>
+    </message>
+    <message>
+        <source>Line: longest gap bridged, px</source>
+        <translation>Linie: größte überbrückte Lücke, px</translation>
+    </message>
+    <message>
+        <source>Line: largest angle joined, °</source>
+        <translation>Linie: größter Verbindungswinkel, °</translation>
+    </message>
+    <message>
+        <source>Line: shortest kept, points</source>
+        <translation>Linie: kürzeste behaltene, Punkte</translation>
+    </message>
+    <message>
+        <source>Line: blocks before overload</source>
+        <translation>Linie: Blöcke bis Überlast</translation>
+    </message>
+    <message>
+        <source>Line: pull of bends taken off</source>
+        <translation>Linie: Krümmungsverzug korrigiert</translation>
+    </message>
+    <message>
+        <source>Registration: scale at first, mm</source>
+        <translation>Einpassung: Skala anfangs, mm</translation>
+    </message>
+    <message>
+        <source>Registration: scale with a start, mm</source>
+        <translation>Einpassung: Skala mit Startwert, mm</translation>
+    </message>
+    <message>
+        <source>Registration: inlier below, mm</source>
+        <translation>Einpassung: Inlier unter, mm</translation>
+    </message>
+    <message>
+        <source>Registration: points used within, mm</source>
+        <translation>Einpassung: Punkte genutzt bis, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails above rms, mm</source>
+        <translation>Einpassung: scheitert über RMS, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails below share</source>
+        <translation>Einpassung: scheitert unter Anteil</translation>
+    </message>
+    <message>
+        <source>Measuring: ends left out, mm</source>
+        <translation>Messung: Enden ausgelassen, mm</translation>
+    </message>
+    <message>
+        <source>Measuring: least points</source>
+        <translation>Messung: Mindestpunktzahl</translation>
+    </message>
+    <message>
+        <source>Measuring: expansion, 1/K</source>
+        <translation>Messung: Ausdehnung, 1/K</translation>
+    </message>
+    <message>
+        <source>Measuring: hottest rail, °C</source>
+        <translation>Messung: heißeste Schiene, °C</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1: limits, mm</source>
+        <translation>%1: Grenzen, mm</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Operator</source>
@@ -1227,6 +1374,261 @@
     <message>
         <source>Administrator</source>
         <translation>Administrator</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>no outlier</source>
+        <translation>kein Ausreißer</translation>
+    </message>
+    <message>
+        <source>straggler (5 %)</source>
+        <translation>verdächtig (5 %)</translation>
+    </message>
+    <message>
+        <source>outlier (1 %)</source>
+        <translation>Ausreißer (1 %)</translation>
+    </message>
+    <message>
+        <source>%1: %2, critical %3 at 1 %</source>
+        <translation>%1: %2, kritisch %3 bei 1 %</translation>
+    </message>
+    <message>
+        <source>Mean range of the runs, mm, per %1 m (Table VI)</source>
+        <translation>Mittlere Spannweite der Läufe, mm, je %1 m (Tabelle VI)</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>share of T, %</source>
+        <translation>Anteil an T, %</translation>
+    </message>
+    <message>
+        <source>Errors against the reference, mm (Table V)</source>
+        <translation>Abweichungen von der Referenz, mm (Tabelle V)</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>Bias</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>largest, %</source>
+        <translation>größte, %</translation>
+    </message>
+    <message>
+        <source>E_n above 1</source>
+        <translation>E_n über 1</translation>
+    </message>
+    <message>
+        <source>%1: values of the runs</source>
+        <translation>%1: Werte der Läufe</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>Länge, m</translation>
+    </message>
+    <message>
+        <source>%1: range of the runs</source>
+        <translation>%1: Spannweite der Läufe</translation>
+    </message>
+    <message>
+        <source>%1: error at each position</source>
+        <translation>%1: Abweichung an jeder Stelle</translation>
+    </message>
+    <message>
+        <source>mean of the runs</source>
+        <translation>Mittel der Läufe</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Kein Urteil</translation>
+    </message>
+    <message>
+        <source>no dimension has both a tolerance and figures</source>
+        <translation>kein Maß hat Toleranz und Kennwerte zugleich</translation>
+    </message>
+    <message>
+        <source>Repeatable</source>
+        <translation>Wiederholbar</translation>
+    </message>
+    <message>
+        <source>Not repeatable</source>
+        <translation>Nicht wiederholbar</translation>
+    </message>
+    <message>
+        <source>%1 uses the largest share of its tolerance, %2; allowed are %3 %</source>
+        <translation>%1 nutzt den größten Anteil der Toleranz, %2; zulässig sind %3 %</translation>
+    </message>
+    <message>
+        <source>uncertainties of values and reference are both needed for E_n; the figures stand by themselves</source>
+        <translation>E_n braucht die Unsicherheiten der Werte und der Referenz; die Kennwerte stehen für sich</translation>
+    </message>
+    <message>
+        <source>Agrees</source>
+        <translation>Stimmt überein</translation>
+    </message>
+    <message>
+        <source>Does not agree</source>
+        <translation>Weicht ab</translation>
+    </message>
+    <message>
+        <source>worst is %1: E n above 1 in %2 of its %3 values; chance allows %4</source>
+        <translation>am schlechtesten: %1, E n über 1 bei %2 von %3 Werten; der Zufall erlaubt %4</translation>
+    </message>
+    <message>
+        <source>Runs and positions</source>
+        <translation>Läufe und Stellen</translation>
+    </message>
+    <message>
+        <source>Repeatability s r</source>
+        <translation>Wiederholbarkeit s r</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>ihr 95-%-Bereich</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Limit r = 2.8 s r</source>
+        <translation>Grenze r = 2,8 s r</translation>
+    </message>
+    <message>
+        <source>Mean and largest range</source>
+        <translation>Mittlere, größte Spannweite</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>s from the range</source>
+        <translation>s aus der Spannweite</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autokorrelation</translation>
+    </message>
+    <message>
+        <source>Left out: a run lacks them</source>
+        <translation>Ausgelassen: fehlen einem Lauf</translation>
+    </message>
+    <message>
+        <source>Grubbs, means of the runs</source>
+        <translation>Grubbs, Mittel der Läufe</translation>
+    </message>
+    <message>
+        <source>Cochran, scatter of the runs</source>
+        <translation>Cochran, Streuung der Läufe</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Bias</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>RMS-Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>in % of the reference</source>
+        <translation>in % der Referenz</translation>
+    </message>
+    <message>
+        <source>Limits of agreement</source>
+        <translation>Übereinstimmungsgrenzen</translation>
+    </message>
+    <message>
+        <source>interval of the lower</source>
+        <translation>Bereich der unteren</translation>
+    </message>
+    <message>
+        <source>interval of the upper</source>
+        <translation>Bereich der oberen</translation>
+    </message>
+    <message>
+        <source>Largest E n</source>
+        <translation>Größtes E n</translation>
+    </message>
+    <message>
+        <source>E n above 1</source>
+        <translation>E n über 1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Repeatability study</source>
+        <translation>Wiederholbarkeitsstudie</translation>
+    </message>
+    <message>
+        <source>Accuracy study</source>
+        <translation>Genauigkeitsstudie</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>means over %1 m</source>
+        <translation>Mittel über %1 m</translation>
+    </message>
+    <message>
+        <source>single profiles</source>
+        <translation>einzelne Messprofile</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Runs: %1.</source>
+        <translation>Läufe: %1.</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Bedingungen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 over the length, as Fig. 9</source>
+        <translation>%1 über der Länge, wie Abb. 9</translation>
+    </message>
+    <message>
+        <source>%1 against its reference</source>
+        <translation>%1 gegen die Referenz</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Kennwerte: %1</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +2056,229 @@
     </message>
 </context>
 <context>
+    <name>vignole::CalibrationDesk</name>
+    <message>
+        <source>Calibrations are not kept: %1. Start the program with an archive (--archive FILE).</source>
+        <translation>Kalibrierungen werden nicht aufbewahrt: %1. Programm mit einem Archiv starten (--archive FILE).</translation>
+    </message>
+    <message>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>Kalibrieren ist Sache des Technikers: als Techniker oder Qualität anmelden (Optionen, F10).</translation>
+    </message>
+    <message>
+        <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
+        <translation>Es gibt kein Archiv, eine Kalibrierung ließe sich weder aufbewahren noch zurückholen: Programm mit --archive FILE starten.</translation>
+    </message>
+    <message>
+        <source>Another calibration needs a reason.</source>
+        <translation>Eine andere Kalibrierung braucht einen Grund.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::CalibrationOverview</name>
+    <message>
+        <source>In force</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>What it is worth</source>
+        <translation>Was sie wert ist</translation>
+    </message>
+    <message>
+        <source>Calibrations kept</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>choose one to compare it with the one in force</source>
+        <translation>eine zum Vergleich mit der gültigen wählen</translation>
+    </message>
+    <message>
+        <source>Range finders…</source>
+        <translation>Lichtschnittsensoren…</translation>
+    </message>
+    <message>
+        <source>Calibrate the range finders with the pin plate</source>
+        <translation>Lichtschnittsensoren mit der Stiftplatte kalibrieren</translation>
+    </message>
+    <message>
+        <source>Lens of a camera…</source>
+        <translation>Objektiv einer Kamera…</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens of a camera with the flat target</source>
+        <translation>Objektiv einer Kamera mit der ebenen Tafel kalibrieren</translation>
+    </message>
+    <message>
+        <source>Encoder…</source>
+        <translation>Drehgeber…</translation>
+    </message>
+    <message>
+        <source>Calibrate the encoder over a known length</source>
+        <translation>Drehgeber über eine bekannte Länge kalibrieren</translation>
+    </message>
+    <message>
+        <source>Reference piece…</source>
+        <translation>Referenzstück…</translation>
+    </message>
+    <message>
+        <source>Check the calibration on a reference piece</source>
+        <translation>Kalibrierung an einem Referenzstück prüfen</translation>
+    </message>
+    <message>
+        <source>Parameter study…</source>
+        <translation>Parameterstudie…</translation>
+    </message>
+    <message>
+        <source>Study which settings of the calibration matter</source>
+        <translation>Untersuchen, welche Einstellungen der Kalibrierung zählen</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Aufbewahrt</translation>
+    </message>
+    <message>
+        <source>By, because</source>
+        <translation>Von, Grund</translation>
+    </message>
+    <message>
+        <source>What the calibration in force is worth</source>
+        <translation>Was die gültige Kalibrierung wert ist</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Reason for putting it back in force</source>
+        <translation>Grund, sie wieder in Kraft zu setzen</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>In Kraft setzen</translation>
+    </message>
+    <message>
+        <source>Put the chosen calibration in force</source>
+        <translation>Gewählte Kalibrierung in Kraft setzen</translation>
+    </message>
+    <message>
+        <source>No calibration</source>
+        <translation>Keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: calibrate the range finders.</source>
+        <translation>Es kann nichts gemessen werden: Lichtschnittsensoren kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Overdue: %1. Calibrate the range finders.</source>
+        <translation>Überfällig: %1. Lichtschnittsensoren kalibrieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Due in %n day(s).</source>
+        <translation>
+            <numerusform>Fällig in %n Tag.</numerusform>
+            <numerusform>Fällig in %n Tagen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No interval is set.</source>
+        <translation>Kein Intervall ist gesetzt.</translation>
+    </message>
+    <message>
+        <source>Method: %1
+Made: %2
+Plate: %3
+Cameras: %4</source>
+        <translation>Methode: %1
+Erstellt: %2
+Platte: %3
+Kameras: %4</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
+        <translation>Noch ist keine aufbewahrt. Die erste wird aufbewahrt, wenn eine Schiene gemessen wird oder ein Assistent endet.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>Gültig: %1</translation>
+    </message>
+    <message>
+        <source> (cannot be read)</source>
+        <translation> (nicht lesbar)</translation>
+    </message>
+    <message>
+        <source>of another rig</source>
+        <translation>von anderer Anlage</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Zulässig</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>U of it</source>
+        <translation>U davon</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) in %1</translation>
+    </message>
+    <message>
+        <source>Difference: what the chosen one measures more than the one in force</source>
+        <translation>Unterschied: was die gewählte mehr misst als die gültige</translation>
+    </message>
+    <message>
+        <source>By the calibration alone, without the noise of the profiles</source>
+        <translation>Nur durch die Kalibrierung, ohne das Rauschen der Messprofile</translation>
+    </message>
+    <message>
+        <source>%1, too much</source>
+        <translation>%1, zu viel</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>ohne Angabe</translation>
+    </message>
+    <message>
+        <source>Nothing is applied before old and new are compared.</source>
+        <translation>Nichts wird angewendet, bevor alt und neu verglichen sind.</translation>
+    </message>
+    <message>
+        <source>It is of other cameras and cannot be put in force here.</source>
+        <translation>Sie gehört zu anderen Kameras und kann hier nicht in Kraft gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>It is in force.</source>
+        <translation>Sie ist in Kraft.</translation>
+    </message>
+    <message>
+        <source>It is in force: the line measures with it from the next rail on.</source>
+        <translation>Sie ist in Kraft: ab der nächsten Schiene misst die Linie mit ihr.</translation>
+    </message>
+</context>
+<context>
     <name>vignole::ChartsPage</name>
     <message>
         <source>Dimensions</source>
@@ -1779,10 +2404,6 @@
         <translation>Standardabweichung</translation>
     </message>
     <message>
-        <source>Smallest, largest</source>
-        <translation>Kleinster, größter</translation>
-    </message>
-    <message>
         <source>Uncertainty U (k = 2)</source>
         <translation>Unsicherheit U (k = 2)</translation>
     </message>
@@ -1834,6 +2455,14 @@
         <source>%1 cannot be written</source>
         <translation>%1 kann nicht geschrieben werden</translation>
     </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
 </context>
 <context>
     <name>vignole::DiagnosticsPage</name>
@@ -1856,14 +2485,6 @@
     <message>
         <source>Computer</source>
         <translation>Rechner</translation>
-    </message>
-    <message>
-        <source>Support file…</source>
-        <translation>Supportdatei…</translation>
-    </message>
-    <message>
-        <source>Save a support file</source>
-        <translation>Supportdatei sichern</translation>
     </message>
     <message>
         <source>Where every trigger went</source>
@@ -1934,16 +2555,8 @@
         <translation>: ausgefallen</translation>
     </message>
     <message>
-        <source>Rendered cameras: no packets to be sent again, no temperature.</source>
-        <translation>Gerechnete Kameras: keine Paketwiederholungen, keine Temperatur.</translation>
-    </message>
-    <message>
         <source>Disk</source>
         <translation>Festplatte</translation>
-    </message>
-    <message>
-        <source>%1 of %2 GB free</source>
-        <translation>%1 von %2 GB frei</translation>
     </message>
     <message>
         <source>make room: nearly full</source>
@@ -1952,14 +2565,6 @@
     <message>
         <source>Archive</source>
         <translation>Archiv</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>none: rails are not kept</source>
-        <translation>keines: Schienen werden nicht aufbewahrt</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -1989,24 +2594,115 @@
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>turn p99 %1 ms</source>
-        <translation>Umlauf p99 %1 ms</translation>
-    </message>
-    <message>
-        <source>p50 %1, largest %2, limit 50 ms</source>
-        <translation>p50 %1, größter %2, Grenze 50 ms</translation>
-    </message>
-    <message>
         <source>Screen</source>
         <translation>Bildschirm</translation>
     </message>
     <message>
-        <source>the window&apos;s thread</source>
-        <translation>der Thread des Fensters</translation>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
+        <source>How much of the support bundle is written</source>
+        <translation>Wie viel der Supportdatei geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>%1 profiles lost</source>
+        <translation>%1 Profile verloren</translation>
+    </message>
+    <message>
+        <source>%1 without points</source>
+        <translation>%1 ohne Punkte</translation>
+    </message>
+    <message>
+        <source>%1 profiles kept</source>
+        <translation>%1 Profile aufbewahrt</translation>
+    </message>
+    <message>
+        <source>rails are not kept</source>
+        <translation>Schienen nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, %2 % of a core</source>
+        <translation>%1 Bilder/s, %2 % eines Kerns</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Not available here, because these cameras are rendered: resends, incomplete frames, timeouts, temperature.</source>
+        <translation>Hier nicht verfügbar, weil diese Kameras simuliert sind: Wiederholungen, unvollständige Bilder, Zeitüberschreitungen, Temperatur.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 GB</source>
+        <translation>%1 von %2 GB</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>ohne Angabe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s) kept</source>
+        <translation>
+            <numerusform>%n Schiene aufbewahrt</numerusform>
+            <numerusform>%n Schienen aufbewahrt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 MB, WAL %2 MB</source>
+        <translation>%1 MB, WAL %2 MB</translation>
+    </message>
+    <message>
+        <source>open, nothing is written</source>
+        <translation>offen, nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>of %1 GB</source>
+        <translation>von %1 GB</translation>
+    </message>
+    <message>
+        <source>p99 %1 ms</source>
+        <translation>p99 %1 ms</translation>
+    </message>
+    <message>
+        <source>p50 %1, max %2</source>
+        <translation>p50 %1, max %2</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Where the support bundle is put</source>
+        <translation>Wohin die Supportdatei kommt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Supportdatei…</translation>
+    </message>
+    <message>
+        <source>Cancel the support bundle</source>
+        <translation>Supportdatei abbrechen</translation>
+    </message>
+    <message>
+        <source>Save a support bundle</source>
+        <translation>Supportdatei sichern</translation>
     </message>
 </context>
 <context>
@@ -2080,6 +2776,235 @@
     <message>
         <source>Dimensions</source>
         <translation>Maße</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DriftPanel</name>
+    <message>
+        <source>Health</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>seams between the cameras on every rail</source>
+        <translation>Nähte zwischen den Kameras auf jeder Schiene</translation>
+    </message>
+    <message>
+        <source>Shift of each camera, rail by rail</source>
+        <translation>Versatz jeder Kamera, Schiene für Schiene</translation>
+    </message>
+    <message>
+        <source>Shift of each camera since its calibration</source>
+        <translation>Versatz jeder Kamera seit ihrer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Alarm above</source>
+        <translation>Alarm über</translation>
+    </message>
+    <message>
+        <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
+        <translation>Noch ist keine Schiene durchgelaufen. Kameradrift zeigt sich an den Nähten der laufenden Produktion, ohne Platte.</translation>
+    </message>
+    <message>
+        <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
+        <translation>Die Nähte werden eingelernt: %1 von %2 Schienen, seit diese Kalibrierung in Gebrauch ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No camera has moved: %n rail(s) watched.</source>
+        <translation>
+            <numerusform>Keine Kamera hat sich verschoben: %n Schiene beobachtet.</numerusform>
+            <numerusform>Keine Kamera hat sich verschoben: %n Schienen beobachtet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 moved</source>
+        <translation>%1 verschoben</translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation>Schiene</translation>
+    </message>
+    <message>
+        <source>shift in </source>
+        <translation>Versatz in </translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>alarm above</source>
+        <translation>Alarm über</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::EncoderPanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Drehgeber</translation>
+    </message>
+    <message>
+        <source>Motion a pulse</source>
+        <translation>Weg je Impuls</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Ablesungen</translation>
+    </message>
+    <message>
+        <source>Known length, first to last reading</source>
+        <translation>Bekannte Länge, erste bis letzte Ablesung</translation>
+    </message>
+    <message>
+        <source>Known length, mm</source>
+        <translation>Bekannte Länge, mm</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Ihre Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length, mm</source>
+        <translation>Standardunsicherheit der Länge, mm</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, for training</source>
+        <translation>Schlupf des virtuellen zweiten Drehgebers, zum Üben</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, ppm</source>
+        <translation>Schlupf des virtuellen zweiten Drehgebers, ppm</translation>
+    </message>
+    <message>
+        <source>Drive the rail</source>
+        <translation>Schiene fahren</translation>
+    </message>
+    <message>
+        <source>Readings from a file…</source>
+        <translation>Ablesungen aus Datei…</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Zweiter</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Readings of the encoder</source>
+        <translation>Ablesungen des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Slip along the way</source>
+        <translation>Schlupf entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>Readings: count,x_mm,y_mm[,count2]</source>
+        <translation>Ablesungen: count,x_mm,y_mm[,count2]</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the rail is driven by hand over a known length. Stop the line to go on.</source>
+        <translation>Gesperrt, solange die Linie misst: die Schiene wird von Hand über eine bekannte Länge gefahren. Zum Fortfahren die Linie stoppen.</translation>
+    </message>
+    <message>
+        <source>A rail is driven over a length that is known, and the pulses are counted: where the light crosses it, it is seen as well.</source>
+        <translation>Eine Schiene wird über eine bekannte Länge gefahren, und die Impulse werden gezählt: wo das Licht sie schneidet, wird sie zugleich gesehen.</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Ablesung</translation>
+    </message>
+    <message>
+        <source>second behind first, pulses</source>
+        <translation>zweiter hinter erstem, Impulse</translation>
+    </message>
+    <message>
+        <source>Next: drive the rail over the known length.</source>
+        <translation>Weiter: Schiene über die bekannte Länge fahren.</translation>
+    </message>
+    <message>
+        <source> µm a pulse</source>
+        <translation> µm je Impuls</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>unknown: fewer than three readings</source>
+        <translation>unbekannt: weniger als drei Ablesungen</translation>
+    </message>
+    <message>
+        <source>Along (V z)</source>
+        <translation>Längs (V z)</translation>
+    </message>
+    <message>
+        <source>Sideways (V x)</source>
+        <translation>Seitlich (V x)</translation>
+    </message>
+    <message>
+        <source>Upwards (V y)</source>
+        <translation>Aufwärts (V y)</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Impulse</translation>
+    </message>
+    <message>
+        <source>Slip of the second</source>
+        <translation>Schlupf des zweiten</translation>
+    </message>
+    <message>
+        <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
+        <translation>Einer der Drehgeber rutscht. Weiter: Räder reinigen, andrücken und erneut fahren.</translation>
+    </message>
+    <message>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <translation>Ein Impuls entspricht %1 µm Schiene. Weiter: dort eintragen, wo die Impulse des Drehgebers in Trigger geteilt werden.</translation>
     </message>
 </context>
 <context>
@@ -2186,6 +3111,328 @@
     <message>
         <source>Last rails</source>
         <translation>Letzte</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::LensWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Bricht ab…</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Parts of the picture that have been seen</source>
+        <translation>Teile des Bildes, die gesehen wurden</translation>
+    </message>
+    <message>
+        <source>Picture of the target</source>
+        <translation>Bild der Tafel</translation>
+    </message>
+    <message>
+        <source>Pictures taken</source>
+        <translation>Aufgenommene Bilder</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Unschärfe</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Lens models (Table III)</source>
+        <translation>Objektivmodelle (Tabelle III)</translation>
+    </message>
+    <message>
+        <source>Distortion model</source>
+        <translation>Verzeichnungsmodell</translation>
+    </message>
+    <message>
+        <source>Mean error px</source>
+        <translation>Mittl. Abw. px</translation>
+    </message>
+    <message>
+        <source>RMS px</source>
+        <translation>RMS px</translation>
+    </message>
+    <message>
+        <source>Not seen before px</source>
+        <translation>Ungesehene Bilder px</translation>
+    </message>
+    <message>
+        <source>Focal length mm</source>
+        <translation>Brennweite mm</translation>
+    </message>
+    <message>
+        <source>Lens models that were tried</source>
+        <translation>Erprobte Objektivmodelle</translation>
+    </message>
+    <message>
+        <source>Coverage and residuals</source>
+        <translation>Abdeckung und Residuen</translation>
+    </message>
+    <message>
+        <source>Points of all pictures</source>
+        <translation>Punkte aller Bilder</translation>
+    </message>
+    <message>
+        <source>Mean residual by place</source>
+        <translation>Mittleres Residuum nach Ort</translation>
+    </message>
+    <message>
+        <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
+Target: %1, points within ±%2 µm.</source>
+        <translation>Die ebene Tafel mit Kreisen wird vor eine Kamera gehalten, Bild für Bild in der gezeichneten Lage. Das Objektivmodell ist das einfachste, das ungesehene Bilder vorhersagt.
+Tafel: %1, Punkte auf ±%2 µm.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera whose lens is calibrated</source>
+        <translation>Kamera, deren Objektiv kalibriert wird</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Pictures: twelve cover a lens.</source>
+        <translation>Bilder: zwölf decken ein Objektiv ab.</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>Anzahl der Bilder</translation>
+    </message>
+    <message>
+        <source>Target to the right, mm</source>
+        <translation>Tafel nach rechts, mm</translation>
+    </message>
+    <message>
+        <source>Target down, mm</source>
+        <translation>Tafel nach unten, mm</translation>
+    </message>
+    <message>
+        <source>Distance of the target, mm</source>
+        <translation>Abstand der Tafel, mm</translation>
+    </message>
+    <message>
+        <source>Tilt up and down, degrees</source>
+        <translation>Neigung auf und ab, Grad</translation>
+    </message>
+    <message>
+        <source>Tilt to the sides, degrees</source>
+        <translation>Neigung zu den Seiten, Grad</translation>
+    </message>
+    <message>
+        <source>Turn of the target, degrees</source>
+        <translation>Drehung der Tafel, Grad</translation>
+    </message>
+    <message>
+        <source>Hold as shown</source>
+        <translation>So halten</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>Bild aufnehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Use with the plate</source>
+        <translation>Mit Platte verwenden</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Gesperrt, solange die Linie misst</translation>
+    </message>
+    <message>
+        <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>Die Kamera wird für die Bilder der Tafel gebraucht. Zum Fortfahren die Linie stoppen; was bisher aufgenommen ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Fortschritt der Rechnung</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version. Programm mit der virtuellen Anlage starten.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Abgebrochen: nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Lens of the camera</source>
+        <translation>Objektiv der Kamera</translation>
+    </message>
+    <message>
+        <source>camera%1.toml</source>
+        <translation>camera%1.toml</translation>
+    </message>
+    <message>
+        <source>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</source>
+        <translation>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>camera and target</source>
+        <translation>Kamera und Tafel</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>model chosen by the data</source>
+        <translation>Modell nach den Daten gewählt</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Table III, residuals</source>
+        <translation>Tabelle III, Residuen</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture</source>
+        <translation>%1 % des Bildes</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Noch keine.</translation>
+    </message>
+    <message>
+        <source>May be used, but: %1</source>
+        <translation>Verwendbar, aber: %1</translation>
+    </message>
+    <message>
+        <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
+        <translation>Verwendbar: mittlere Abweichung %1 px mit dem Modell %2, gewählt an Bildern, die es nicht gesehen hatte.</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, gewählt</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next: choose the camera.</source>
+        <translation>Weiter: Kamera wählen.</translation>
+    </message>
+    <message>
+        <source>First picture</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Looking at the target…</source>
+        <translation>Prüft die Tafel…</translation>
+    </message>
+    <message>
+        <source>This picture would be refused: %1</source>
+        <translation>Dieses Bild würde abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
+        <translation>Dieses Bild würde abgelehnt, weil es die Lage von Bild %1 zeigt; die Tafel zum gestrichelten Umriss bewegen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) found.</source>
+        <translation>
+            <numerusform>%n Punkt gefunden.</numerusform>
+            <numerusform>%n Punkte gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: solve, or take more.</source>
+        <translation>Weiter: rechnen oder mehr aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Working out which pose tells most…</source>
+        <translation>Sucht die Lage, die am meisten aussagt…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
+        <translation>
+            <numerusform>Weiter: Tafel an den gestrichelten Umriss halten und das Bild aufnehmen; noch %n.</numerusform>
+            <numerusform>Weiter: Tafel an den gestrichelten Umriss halten und das Bild aufnehmen; noch %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: %1; %n to go.</source>
+        <translation>
+            <numerusform>Weiter: %1; noch %n.</numerusform>
+            <numerusform>Weiter: %1; noch %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens models are adjusted and tried on pictures they have not seen.</source>
+        <translation>Objektivmodelle werden ausgeglichen und an Bildern erprobt, die sie nicht gesehen haben.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the result comes by itself.</source>
+        <translation>Weiter: nichts zu tun; das Ergebnis kommt von selbst.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be used.</source>
+        <translation>Abgelehnt: nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
+        <translation>Der Assistent der Lichtschnittsensoren verwendet dieses Objektiv. Weiter: Lichtschnittsensoren kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Next: use it with the plate, or save it.</source>
+        <translation>Weiter: mit der Platte verwenden oder sichern.</translation>
     </message>
 </context>
 <context>
@@ -2583,8 +3830,78 @@
         <translation>Kamera %1</translation>
     </message>
     <message>
-        <source>mean time of a stage, SD standard deviation, UCL upper limit of the 99 % confidence interval; of a queue now (dark), highest fill (mark) and size</source>
-        <translation>mittlere Zeit einer Stufe, SD Standardabweichung, OKG obere Grenze des 99-%-Vertrauensbereichs; einer Warteschlange: jetzt (dunkel), höchste Füllung (Marke) und Größe</translation>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>eingepasst</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>nicht eingepasst</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dimension(s)</source>
+        <translation>
+            <numerusform>%n Maß</numerusform>
+            <numerusform>%n Maße</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source>99 % UCL %1</source>
+        <translation>99 % OKG %1</translation>
+    </message>
+    <message>
+        <source>Consumers</source>
+        <translation>Abnehmer</translation>
+    </message>
+    <message>
+        <source>in the queue now</source>
+        <translation>jetzt wartend</translation>
+    </message>
+    <message>
+        <source>highest fill, of how many places</source>
+        <translation>höchste Füllung, von wie vielen Plätzen</translation>
+    </message>
+    <message>
+        <source>mean time, SD standard deviation, UCL upper limit of its 99 % confidence interval</source>
+        <translation>mittlere Zeit, SD Standardabweichung, OKG obere Grenze ihres 99-%-Vertrauensbereichs</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::PlateView</name>
+    <message>
+        <source>no picture yet</source>
+        <translation>noch kein Bild</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins</source>
+        <translation>%1 von %2 Stiften</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>no pin here</source>
+        <translation>hier kein Stift</translation>
+    </message>
+    <message>
+        <source>not found: %1</source>
+        <translation>nicht gefunden: %1</translation>
     </message>
 </context>
 <context>
@@ -2621,14 +3938,6 @@
         <translation>Gemessen</translation>
     </message>
     <message>
-        <source>Rails that may be laid over each other</source>
-        <translation>Schienen, die übereinandergelegt werden können</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Maß</translation>
-    </message>
-    <message>
         <source>Single profiles</source>
         <translation>Einzelne Messprofile</translation>
     </message>
@@ -2653,14 +3962,6 @@
         <translation>Export…</translation>
     </message>
     <message>
-        <source>Export values and ranges as CSV</source>
-        <translation>Werte und Spannweiten als CSV exportieren</translation>
-    </message>
-    <message>
-        <source>Values over the length</source>
-        <translation>Werte über der Länge</translation>
-    </message>
-    <message>
         <source>as Fig. 9a</source>
         <translation>wie Abb. 9a</translation>
     </message>
@@ -2669,52 +3970,8 @@
         <translation>Spannweite der Läufe</translation>
     </message>
     <message>
-        <source>as Fig. 9b</source>
-        <translation>wie Abb. 9b</translation>
-    </message>
-    <message>
         <source>Values of every run over the length</source>
         <translation>Werte jedes Laufs über der Länge</translation>
-    </message>
-    <message>
-        <source>Range of the runs over the length</source>
-        <translation>Spannweite der Läufe über der Länge</translation>
-    </message>
-    <message>
-        <source>Mean range</source>
-        <translation>Mittlere Spannweite</translation>
-    </message>
-    <message>
-        <source>per 10 m, as Table VI</source>
-        <translation>je 10 m, wie Tab. VI</translation>
-    </message>
-    <message>
-        <source>From – to, m</source>
-        <translation>Von – bis, m</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Stellen</translation>
-    </message>
-    <message>
-        <source>Mean range, section by section</source>
-        <translation>Mittlere Spannweite, Abschnitt für Abschnitt</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Kennwerte</translation>
-    </message>
-    <message>
-        <source>Figures of the study</source>
-        <translation>Kennwerte der Studie</translation>
-    </message>
-    <message>
-        <source>Runs come from the archive, and there is none: %1. Start the program with --archive FILE.</source>
-        <translation>Läufe kommen aus dem Archiv, und es gibt keines: %1. Programm mit --archive FILE starten.</translation>
-    </message>
-    <message>
-        <source>At least 2 runs of the same rail are needed, %1 chosen; the paper took 5.</source>
-        <translation>Mindestens 2 Läufe derselben Schiene sind nötig, %1 gewählt; im Aufsatz waren es 5.</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -2723,10 +3980,6 @@
     <message>
         <source>No rail has been kept yet. Runs of the same rail are compared here.</source>
         <translation>Noch keine Schiene aufbewahrt. Hier werden Läufe derselben Schiene verglichen.</translation>
-    </message>
-    <message>
-        <source>Tick the runs that were made of the same rail, choose a dimension and compare.</source>
-        <translation>Läufe derselben Schiene ankreuzen, ein Maß wählen und vergleichen.</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -2741,60 +3994,351 @@
         <translation>Spannweite, %1</translation>
     </message>
     <message>
-        <source>Runs, positions</source>
-        <translation>Läufe, Stellen</translation>
-    </message>
-    <message>
-        <source>Repeatability s_r</source>
-        <translation>Wiederholbarkeit s_r</translation>
-    </message>
-    <message>
-        <source>its 95 % interval</source>
-        <translation>ihr 95-%-Bereich</translation>
-    </message>
-    <message>
-        <source>Limit r = 2.8 s_r</source>
-        <translation>Grenze r = 2,8 s_r</translation>
-    </message>
-    <message>
-        <source>Largest range</source>
-        <translation>Größte Spannweite</translation>
-    </message>
-    <message>
-        <source>s from the range</source>
-        <translation>s aus der Spannweite</translation>
-    </message>
-    <message>
-        <source>Autocorrelation</source>
-        <translation>Autokorrelation</translation>
-    </message>
-    <message>
-        <source>%1, critical %2 (1 %)</source>
-        <translation>%1, kritisch %2 (1 %)</translation>
-    </message>
-    <message>
-        <source>Grubbs, means of the runs</source>
-        <translation>Grubbs, Mittel der Läufe</translation>
-    </message>
-    <message>
-        <source>Cochran, scatter of the runs</source>
-        <translation>Cochran, Streuung der Läufe</translation>
-    </message>
-    <message>
-        <source>, %1 positions left out: a run lacks them</source>
-        <translation>, %1 Stellen ausgelassen: sie fehlen in einem Lauf</translation>
-    </message>
-    <message>
         <source>Export as CSV</source>
         <translation>Als CSV exportieren</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 ist geschrieben</translation>
+        <source>truth of the virtual rig</source>
+        <translation>Wahrheit der virtuellen Anlage</translation>
+    </message>
+    <message numerus="yes">
+        <source>The inspections were cancelled; %n were whole.</source>
+        <translation>
+            <numerusform>Die Prüfungen wurden abgebrochen; %n war vollständig.</numerusform>
+            <numerusform>Die Prüfungen wurden abgebrochen; %n waren vollständig.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
+        <source>Runs of one rail</source>
+        <translation>Läufe einer Schiene</translation>
+    </message>
+    <message>
+        <source>Reference values</source>
+        <translation>Referenzwerte</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Rails of the archive</source>
+        <translation>Schienen des Archivs</translation>
+    </message>
+    <message>
+        <source>Runs from a file</source>
+        <translation>Läufe aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>Virtuelle Anlage</translation>
+    </message>
+    <message>
+        <source>Where the runs come from</source>
+        <translation>Woher die Läufe kommen</translation>
+    </message>
+    <message>
+        <source>3 m of rail</source>
+        <translation>3 m Schiene</translation>
+    </message>
+    <message>
+        <source>12 m of rail</source>
+        <translation>12 m Schiene</translation>
+    </message>
+    <message>
+        <source>60 m of rail, as the paper</source>
+        <translation>60 m Schiene, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Length of the virtual rail</source>
+        <translation>Länge der virtuellen Schiene</translation>
+    </message>
+    <message>
+        <source>Means over 0.5 m</source>
+        <translation>Mittel über 0,5 m</translation>
+    </message>
+    <message>
+        <source>Runs that may be laid over each other</source>
+        <translation>Läufe, die sich übereinanderlegen lassen</translation>
+    </message>
+    <message>
+        <source>Open runs…</source>
+        <translation>Läufe öffnen…</translation>
+    </message>
+    <message>
+        <source>Open runs from a CSV file</source>
+        <translation>Läufe aus einer CSV-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>Referenz öffnen…</translation>
+    </message>
+    <message>
+        <source>Open reference values from a CSV file</source>
+        <translation>Referenzwerte aus einer CSV-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Report as PDF (Ctrl+P)</source>
+        <translation>Bericht als PDF (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Export values as CSV</source>
+        <translation>Werte als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Export values as CSV (Ctrl+E)</source>
+        <translation>Werte als CSV exportieren (Strg+E)</translation>
+    </message>
+    <message>
+        <source>Progress of the inspections</source>
+        <translation>Fortschritt der Prüfungen</translation>
+    </message>
+    <message>
+        <source>What the runs differ by over the length</source>
+        <translation>Worin sich die Läufe über der Länge unterscheiden</translation>
+    </message>
+    <message>
+        <source>Every dimension; the chosen one is drawn</source>
+        <translation>Jedes Maß; das gewählte ist gezeichnet</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Figures of the chosen dimension, formulas and constants</source>
+        <translation>Kennwerte des gewählten Maßes, Formeln und Konstanten</translation>
+    </message>
+    <message>
+        <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
+        <translation>Gespeicherte Läufe kommen aus dem Archiv, und es gibt keines (%1): Programm mit --archive FILE starten oder oben eine Datei oder die virtuelle Anlage wählen.</translation>
+    </message>
+    <message>
+        <source>virtual rig</source>
+        <translation>virtuelle Anlage</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>Lauf %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Inspect the rail five times</source>
+        <translation>Schiene fünfmal prüfen</translation>
+    </message>
+    <message>
+        <source>Cancel the inspections</source>
+        <translation>Prüfungen abbrechen</translation>
+    </message>
+    <message>
+        <source>Inspect the same virtual rail five times</source>
+        <translation>Dieselbe virtuelle Schiene fünfmal prüfen</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R)</source>
+        <translation>Zuerst die Linie stoppen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
+        <translation>Zuerst die Linie stoppen (Strg+R): beide brauchen alle Prozessoren, und für eine Studie darf kein Trigger verloren gehen.</translation>
+    </message>
+    <message>
+        <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
+        <translation>Genauigkeit braucht eine Referenz: eine CSV-Datei mit den Spalten dimension, position_m, value und, falls bekannt, u öffnen.</translation>
+    </message>
+    <message>
+        <source>At least 1 run is needed, none is chosen.</source>
+        <translation>Mindestens 1 Lauf ist nötig, keiner ist gewählt.</translation>
+    </message>
+    <message>
+        <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
+        <translation>Mindestens 2 Läufe derselben Schiene sind nötig, %1 gewählt: noch %2 wählen. Der Aufsatz nahm 5.</translation>
+    </message>
+    <message>
+        <source>stored rails, same rail and gauge</source>
+        <translation>gespeicherte Schienen, gleiche Schiene und Messanlage</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>Datei %1</translation>
+    </message>
+    <message>
+        <source>virtual rig, exact calibration, other wander, vibration, scale, speckle and noise in every run</source>
+        <translation>virtuelle Anlage, exakte Kalibrierung, in jedem Lauf anderes Wandern, andere Schwingung, anderer Zunder, Speckle und Rauschen</translation>
+    </message>
+    <message>
+        <source>The same rail is inspected five times …</source>
+        <translation>Dieselbe Schiene wird fünfmal geprüft …</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Bedingungen: %1.</translation>
+    </message>
+    <message>
+        <source>Tick the runs that were made of the same rail and compare.</source>
+        <translation>Läufe derselben Schiene ankreuzen und vergleichen.</translation>
+    </message>
+    <message>
+        <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
+        <translation>Eine CSV-Datei mit den Spalten run, position_m und den Maßen, wie inspect --csv sie schreibt.</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors.</source>
+        <translation>Zuerst die Linie stoppen (Strg+R): beide brauchen alle Prozessoren.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>Der Versuch des Aufsatzes: eine Schiene, fünf Prüfungen, die Wahrheit bekannt.</translation>
+    </message>
+    <message>
+        <source>No runs are compared yet</source>
+        <translation>Noch keine Läufe verglichen</translation>
+    </message>
+    <message>
+        <source>%1 over the length</source>
+        <translation>%1 über der Länge</translation>
+    </message>
+    <message>
+        <source>largest minus smallest at each position, as Fig. 9b</source>
+        <translation>größter minus kleinster an jeder Stelle, wie Abb. 9b</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>untere Grenze</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>obere Grenze</translation>
+    </message>
+    <message>
+        <source>mean of %1 m</source>
+        <translation>Mittel über %1 m</translation>
+    </message>
+    <message>
+        <source>Error of %1 over the length</source>
+        <translation>Abweichung über der Länge: %1</translation>
+    </message>
+    <message>
+        <source>value minus reference, mean of the runs; %1</source>
+        <translation>Wert minus Referenz, Mittel der Läufe; %1</translation>
+    </message>
+    <message>
+        <source>value minus reference</source>
+        <translation>Wert minus Referenz</translation>
+    </message>
+    <message>
+        <source>Largest error at each position</source>
+        <translation>Größte Abweichung an jeder Stelle</translation>
+    </message>
+    <message>
+        <source>of any run</source>
+        <translation>eines Laufs</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>Abweichung 0</translation>
+    </message>
+    <message>
+        <source>limit of agreement</source>
+        <translation>Übereinstimmungsgrenze</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>Abweichung, %1</translation>
+    </message>
+    <message>
+        <source>Dim.</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>% T</source>
+        <translation>% T</translation>
+    </message>
+    <message>
+        <source>Mean range per %1 m</source>
+        <translation>Mittl. Spannweite je %1 m</translation>
+    </message>
+    <message>
+        <source>as Table VI</source>
+        <translation>wie Tabelle VI</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI; the stretches are in the report</source>
+        <translation>%1, wie Tabelle VI; die Abschnitte stehen im Bericht</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI</source>
+        <translation>%1, wie Tabelle VI</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>Bias</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>%1, as Table V</source>
+        <translation>%1, wie Tabelle V</translation>
+    </message>
+    <message>
+        <source>as Table V</source>
+        <translation>wie Tabelle V</translation>
+    </message>
+    <message>
+        <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
+        <translation>Urteil, Kennwerte, Formeln und Konstanten stehen hier, wenn Läufe verglichen sind.</translation>
+    </message>
+    <message>
+        <source>figures of %1</source>
+        <translation>Kennwerte: %1</translation>
+    </message>
+    <message>
+        <source>writing …</source>
+        <translation>schreibt …</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
     </message>
 </context>
 <context>
@@ -2967,10 +4511,6 @@
         <translation>läuft</translation>
     </message>
     <message>
-        <source>inside</source>
-        <translation>innerhalb</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -3102,10 +4642,6 @@
         <translation>Nichts wird aufbewahrt. Laufende Schienen zeigt nur der Monitor.</translation>
     </message>
     <message>
-        <source>kept: %1 rails, %2 profiles waiting</source>
-        <translation>aufbewahrt: %1 Schienen, %2 Messprofile warten</translation>
-    </message>
-    <message>
         <source>; %1 profiles lost</source>
         <translation>; %1 Messprofile verloren</translation>
     </message>
@@ -3116,6 +4652,18 @@
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
         <translation>Es kann nicht geschrieben werden: %1. Was durchläuft, wartet im Speicher.</translation>
+    </message>
+    <message>
+        <source>kept since the start: %1 rails; %2 profiles wait</source>
+        <translation>seit dem Start aufbewahrt: %1 Schienen; %2 Messprofile warten</translation>
+    </message>
+    <message>
+        <source>nearest to a limit, inside</source>
+        <translation>einer Grenze am nächsten, innerhalb</translation>
+    </message>
+    <message>
+        <source>furthest beyond a limit, mm</source>
+        <translation>am weitesten jenseits einer Grenze, mm</translation>
     </message>
 </context>
 <context>
@@ -3358,12 +4906,744 @@
         <source>%1 is written</source>
         <translation>%1 ist geschrieben</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>Profil…</translation>
+    </message>
+    <message>
+        <source>Draw the section, or bring one along from a drawing</source>
+        <translation>Profil zeichnen oder aus einer Zeichnung mitbringen</translation>
+    </message>
+    <message>
+        <source>What if…</source>
+        <translation>Was wäre wenn…</translation>
+    </message>
+    <message>
+        <source>Judge stored rails by the chosen recipe</source>
+        <translation>Gespeicherte Schienen nach dem gewählten Rezept beurteilen</translation>
+    </message>
+    <message>
+        <source>Use for the next rail</source>
+        <translation>Ab nächster Schiene</translation>
+    </message>
+    <message>
+        <source>Use the chosen recipe for the next rail</source>
+        <translation>Gewähltes Rezept für die nächste Schiene verwenden</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Parameters of dimensions and settings of the stages</source>
+        <translation>Parameter der Maße und Einstellungen der Stufen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen recipe</source>
+        <translation>Einstellungen des gewählten Rezepts</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the draft; another name makes a copy</source>
+        <translation>Name des Entwurfs; ein anderer Name ergibt eine Kopie</translation>
+    </message>
+    <message>
+        <source>On the line: %1 v%2.</source>
+        <translation>Auf der Linie: %1 v%2.</translation>
+    </message>
+    <message>
+        <source>From the next rail: %1.</source>
+        <translation>Ab der nächsten Schiene: %1.</translation>
+    </message>
+    <message>
+        <source>Only an approved recipe is measured with.</source>
+        <translation>Gemessen wird nur mit einem freigegebenen Rezept.</translation>
+    </message>
+    <message>
+        <source>%1: the value is not of its kind.</source>
+        <translation>%1: der Wert ist nicht von der rechten Art.</translation>
+    </message>
+    <message>
+        <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
+        <translation>%1 v%2 gilt ab der nächsten Schiene; die Schiene in der Messanlage behält, womit sie begann.</translation>
+    </message>
+    <message>
+        <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
+        <translation>„Was wäre wenn“ braucht mindestens %1 gespeicherte Schienen des Profils %2, es gibt %3: zuerst mehr messen.</translation>
+    </message>
+    <message>
+        <source>Recipes are read, drafts cannot be kept: %1.</source>
+        <translation>Rezepte werden gelesen, Entwürfe können nicht aufbewahrt werden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ReferencePanel</name>
+    <message>
+        <source>Reference piece</source>
+        <translation>Referenzstück</translation>
+    </message>
+    <message>
+        <source>Certificate and gauge</source>
+        <translation>Kalibrierschein und Anlage</translation>
+    </message>
+    <message>
+        <source>Profiles that are averaged</source>
+        <translation>Gemittelte Messprofile</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>Measure the piece</source>
+        <translation>Stück messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Abgebrochen: nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
+        <translation>Gesperrt, solange die Linie misst: das Stück steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
+    </message>
+    <message>
+        <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
+        <translation>Ein Profilstück mit Kalibrierschein wird in die Messanlage gesetzt und mit der gültigen Kalibrierung gemessen. Auf der virtuellen Anlage ist es ein virtuelles Stück, dessen Wahrheit sein Kalibrierschein ist (U = 2 µm).</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Misst…</translation>
+    </message>
+    <message>
+        <source>Next: measure the piece.</source>
+        <translation>Weiter: Stück messen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
+        <translation>
+            <numerusform>Die Messanlage stimmt in jedem Maß mit dem Kalibrierschein überein, über %n Messprofil.</numerusform>
+            <numerusform>Die Messanlage stimmt in jedem Maß mit dem Kalibrierschein überein, über %n Messprofile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
+        <translation>Die Messanlage stimmt nicht mit dem Kalibrierschein überein. Weiter: Stück reinigen und erneut messen; bleibt es so, Lichtschnittsensoren kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>Kalibrierschein %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Gemessen %1</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Deviation over U</source>
+        <translation>Abweichung zu U</translation>
+    </message>
+    <message>
+        <source>%1, differs</source>
+        <translation>%1, weicht ab</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>nicht gemessen: %1</translation>
+    </message>
 </context>
 <context>
     <name>vignole::ReplayCanvas</name>
     <message>
         <source>Profile of the stored rail</source>
         <translation>Messprofil der gespeicherten Schiene</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Bricht ab…</translation>
+    </message>
+    <message>
+        <source>Range finders</source>
+        <translation>Lichtschnittsensoren</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Was es bedeutet</translation>
+    </message>
+    <message>
+        <source>Fit to the pins</source>
+        <translation>Anpassung an Stifte</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Pins found (Fig. 8d)</source>
+        <translation>Gefundene Stifte (Abb. 8d)</translation>
+    </message>
+    <message>
+        <source>circles: the pins as found; points: the lines of the first placement</source>
+        <translation>Kreise: Stifte wie gefunden; Punkte: Linien der ersten Stellung</translation>
+    </message>
+    <message>
+        <source>Pins in the world</source>
+        <translation>Stifte im Raum</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>In Kraft setzen</translation>
+    </message>
+    <message>
+        <source>How often the plate is put down: four find an error of the plate as well.</source>
+        <translation>Wie oft die Platte gestellt wird: vier finden auch einen Fehler der Platte.</translation>
+    </message>
+    <message>
+        <source>Number of placements</source>
+        <translation>Anzahl der Stellungen</translation>
+    </message>
+    <message>
+        <source>The virtual plate, for training</source>
+        <translation>Die virtuelle Platte, zum Üben</translation>
+    </message>
+    <message>
+        <source>is as its certificate says</source>
+        <translation>entspricht ihrem Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>is the mirror image of its file</source>
+        <translation>ist das Spiegelbild ihrer Datei</translation>
+    </message>
+    <message>
+        <source>is not the one of the certificate</source>
+        <translation>ist nicht die des Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>has lost pin 4</source>
+        <translation>hat Stift 4 verloren</translation>
+    </message>
+    <message>
+        <source>Virtual plate</source>
+        <translation>Virtuelle Platte</translation>
+    </message>
+    <message>
+        <source>Plate to the right, mm</source>
+        <translation>Platte nach rechts, mm</translation>
+    </message>
+    <message>
+        <source>Plate up, mm</source>
+        <translation>Platte nach oben, mm</translation>
+    </message>
+    <message>
+        <source>Plate turned anticlockwise, degrees</source>
+        <translation>Platte gegen den Uhrzeigersinn gedreht, Grad</translation>
+    </message>
+    <message>
+        <source>Plate tilted out of the light, degrees</source>
+        <translation>Platte aus der Lichtebene gekippt, Grad</translation>
+    </message>
+    <message>
+        <source>tilt </source>
+        <translation>Kipp. </translation>
+    </message>
+    <message>
+        <source>Place as shown</source>
+        <translation>So einsetzen</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Take again</source>
+        <translation>Neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Gesperrt, solange die Linie misst</translation>
+    </message>
+    <message>
+        <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>Die Platte steht, wo die Schiene durchläuft, und die Kameras werden gebraucht. Zum Fortfahren die Linie stoppen; was bisher aufgenommen ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>To be repeated after so many days (0: never)</source>
+        <translation>Zu wiederholen nach so vielen Tagen (0: nie)</translation>
+    </message>
+    <message>
+        <source>Days after which the calibration is to be repeated</source>
+        <translation>Tage, nach denen die Kalibrierung zu wiederholen ist</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Reason for the new calibration</source>
+        <translation>Grund der neuen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Fortschritt der Rechnung</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Centre (CD)</source>
+        <translation>Mitte (CD)</translation>
+    </message>
+    <message>
+        <source>Radius (RD)</source>
+        <translation>Radius (RD)</translation>
+    </message>
+    <message>
+        <source>Points (PD)</source>
+        <translation>Punkte (PD)</translation>
+    </message>
+    <message>
+        <source>Table IV: fit to the pins</source>
+        <translation>Tabelle IV: Anpassung an Stifte</translation>
+    </message>
+    <message>
+        <source>Checks of the new calibration</source>
+        <translation>Prüfungen der neuen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version. Programm mit der virtuellen Anlage starten.</translation>
+    </message>
+    <message>
+        <source>Four cameras together…</source>
+        <translation>Vier Kameras zusammen…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Abgebrochen: nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is in force: the line measures with it from the next rail on.</source>
+        <translation>%1 ist in Kraft: ab der nächsten Schiene misst die Linie damit.</translation>
+    </message>
+    <message>
+        <source>Report of the calibration</source>
+        <translation>Bericht der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>turned and moved</source>
+        <translation>gedreht und bewegt</translation>
+    </message>
+    <message>
+        <source>turned 180°</source>
+        <translation>180° gedreht</translation>
+    </message>
+    <message>
+        <source>moved %1 mm</source>
+        <translation>%1 mm bewegt</translation>
+    </message>
+    <message>
+        <source>as drawn, 0°</source>
+        <translation>gezeichnet, 0°</translation>
+    </message>
+    <message>
+        <source>plate and cameras</source>
+        <translation>Platte und Kameras</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>Stellung %1</translation>
+    </message>
+    <message>
+        <source>four cameras together</source>
+        <translation>vier Kameras zusammen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>old and new</source>
+        <translation>alt und neu</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>reason and signature</source>
+        <translation>Grund und Unterschrift</translation>
+    </message>
+    <message>
+        <source>placement %1 of %2</source>
+        <translation>Stellung %1 von %2</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) in %1</translation>
+    </message>
+    <message>
+        <source>mean / max in %1</source>
+        <translation>Mittel / Max in %1</translation>
+    </message>
+    <message>
+        <source>Plate, %1</source>
+        <translation>Platte, %1</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>%1, U = 3 µm, pins towards the cameras</source>
+        <translation>%1, U = 3 µm, Stifte zu den Kameras</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens as calibrated in this session</source>
+        <translation>Kamera %1: Objektiv wie in dieser Sitzung kalibriert</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens of the calibration in force</source>
+        <translation>Kamera %1: Objektiv der gültigen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
+
+%1</source>
+        <translation>Die Platte mit 13 Stiften wird dort in die Messanlage gesetzt, wo die Schiene durchläuft, Stifte zu den Kameras, und zwischen den Bildern gedreht und bewegt. Nichts wird angewendet, bevor alt und neu verglichen sind und Sie bestätigen.
+
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes the place of %2 from the next rail on. Both are kept and can be compared and put back.</source>
+        <translation>%1 tritt ab der nächsten Schiene an die Stelle von %2. Beide bleiben aufbewahrt, lassen sich vergleichen und zurückholen.</translation>
+    </message>
+    <message>
+        <source>could not be asked</source>
+        <translation>nicht prüfbar</translation>
+    </message>
+    <message>
+        <source>%1, within %2</source>
+        <translation>%1, innerhalb %2</translation>
+    </message>
+    <message>
+        <source>%1, above %2</source>
+        <translation>%1, über %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>turned by %1° anticlockwise</source>
+        <translation>um %1° gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>turned by %1° clockwise</source>
+        <translation>um %1° im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Next: move the plate to the dashed outlines: %1.</source>
+        <translation>Weiter: Platte zu den gestrichelten Umrissen bewegen: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next: put the plate into the gauge.</source>
+        <translation>Weiter: Platte in die Messanlage setzen.</translation>
+    </message>
+    <message>
+        <source>First placement</source>
+        <translation>Erste Stellung</translation>
+    </message>
+    <message>
+        <source>Next placement</source>
+        <translation>Nächste Stellung</translation>
+    </message>
+    <message>
+        <source>Looking at the plate…</source>
+        <translation>Prüft die Platte…</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins found</source>
+        <translation>%1 von %2 Stiften gefunden</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n picture(s) refused</source>
+        <translation>
+            <numerusform>, %n Bild abgelehnt</numerusform>
+            <numerusform>, %n Bilder abgelehnt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All four cameras see the plate where it must lie. Next: “%1”.</source>
+        <translation>Alle vier Kameras sehen die Platte, wo sie stehen muss. Weiter: „%1“.</translation>
+    </message>
+    <message>
+        <source>The poses of four cameras are found together with the pins.</source>
+        <translation>Die Lagen der vier Kameras werden zusammen mit den Stiften bestimmt.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the comparison comes by itself.</source>
+        <translation>Weiter: nichts zu tun; der Vergleich kommt von selbst.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be put in force.</source>
+        <translation>Abgelehnt: kann nicht in Kraft gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>May be used: every check is within its limit.</source>
+        <translation>Verwendbar: jede Prüfung liegt innerhalb ihrer Grenze.</translation>
+    </message>
+    <message numerus="yes">
+        <source>May be used, but %n dimension(s) get more than is allowed.</source>
+        <translation>
+            <numerusform>Verwendbar, aber %n Maß erhält mehr als zulässig.</numerusform>
+            <numerusform>Verwendbar, aber %n Maße erhalten mehr als zulässig.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
+        <translation>Weiter: rechts alt und neu vergleichen. Nichts wird angewendet, bevor Sie bestätigen.</translation>
+    </message>
+    <message>
+        <source>Done. Next: start the line and watch the first rail.</source>
+        <translation>Fertig. Weiter: Linie starten und die erste Schiene beobachten.</translation>
+    </message>
+    <message>
+        <source>Next: give the reason and put it in force.</source>
+        <translation>Weiter: Grund angeben und in Kraft setzen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDialog</name>
+    <message>
+        <source>Drawing of a section</source>
+        <translation>Zeichnung eines Profils</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Section with its primitives named</source>
+        <translation>Profil mit benannten Elementen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Länge, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Radius, mm</translation>
+    </message>
+    <message>
+        <source>Primitives of the section</source>
+        <translation>Elemente des Profils</translation>
+    </message>
+    <message>
+        <source>Name of the section</source>
+        <translation>Name des Profils</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Profile and straightness class of its recipe</source>
+        <translation>Profil- und Geradheitsklasse seines Rezepts</translation>
+    </message>
+    <message>
+        <source>Open a drawing…</source>
+        <translation>Zeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a drawing of a section</source>
+        <translation>Zeichnung eines Profils öffnen</translation>
+    </message>
+    <message>
+        <source>Make a draft of it</source>
+        <translation>Entwurf daraus machen</translation>
+    </message>
+    <message>
+        <source>Keep the section and make a draft of it</source>
+        <translation>Profil aufbewahren und einen Entwurf daraus machen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could be drawn.</source>
+        <translation>In dieser Datei ist nichts, das sich zeichnen ließe.</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>QA makes drafts: sign in.</source>
+        <translation>Entwürfe macht die Qualität: anmelden.</translation>
+    </message>
+    <message>
+        <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
+        <translation>Eine Zeichnung öffnen: ein geschlossener Umriss aus Strecken und Bögen, die Schiene aufrecht.</translation>
+    </message>
+    <message>
+        <source>DXF, JSON or a MiniProf design</source>
+        <translation>DXF, JSON oder MiniProf-Design</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 mm high, %2 cm², %3 kg/m, %4; %n primitive(s)</source>
+        <translation>
+            <numerusform>%1 mm hoch, %2 cm², %3 kg/m, %4; %n Element</numerusform>
+            <numerusform>%1 mm hoch, %2 cm², %3 kg/m, %4; %n Elemente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>symmetrisch</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>asymmetrisch</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
+        <translation>Ein Name hat Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche: er wird zum Namen einer Datei.</translation>
+    </message>
+    <message>
+        <source>%1 is a section of the catalogue: give yours another name.</source>
+        <translation>%1 ist ein Profil des Katalogs: Ihrem bitte einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>There is another section of the name %1: give a new name.</source>
+        <translation>Es gibt ein anderes Profil mit dem Namen %1: einen neuen Namen geben.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDrawing</name>
+    <message>
+        <source>free end</source>
+        <translation>freies Ende</translation>
+    </message>
+    <message>
+        <source>open here: %1 mm</source>
+        <translation>hier offen: %1 mm</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +5843,13 @@
     </message>
 </context>
 <context>
+    <name>vignole::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>vignole::StripChart</name>
     <message>
         <source>%1 along the rail: %2</source>
@@ -3607,101 +5894,29 @@
         <source>no picture yet</source>
         <translation>noch kein Bild</translation>
     </message>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
 </context>
 <context>
     <name>vignole::StripesPage</name>
-    <message>
-        <source>Line extraction</source>
-        <translation>Linienextraktion</translation>
-    </message>
-    <message>
-        <source>Smoothing σ</source>
-        <translation>Glättung σ</translation>
-    </message>
-    <message>
-        <source>Low threshold t_l</source>
-        <translation>Untere Schwelle t_l</translation>
-    </message>
-    <message>
-        <source>High threshold t_h</source>
-        <translation>Obere Schwelle t_h</translation>
-    </message>
-    <message>
-        <source>Link distance d</source>
-        <translation>Verknüpfungsabstand d</translation>
-    </message>
-    <message>
-        <source>Link angle α</source>
-        <translation>Verknüpfungswinkel α</translation>
-    </message>
-    <message>
-        <source>%1 on trial</source>
-        <translation>%1 auf Probe</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>In Gebrauch</translation>
-    </message>
-    <message>
-        <source>On trial</source>
-        <translation>Auf Probe</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>In use against on trial</source>
-        <translation>In Gebrauch gegen Probe</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Bild sichern…</translation>
-    </message>
-    <message>
-        <source>Save the picture of the chosen camera</source>
-        <translation>Bild der gewählten Kamera sichern</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Discard what is on trial</source>
-        <translation>Probe verwerfen</translation>
-    </message>
-    <message>
-        <source>Use from next start</source>
-        <translation>Ab nächstem Start nutzen</translation>
-    </message>
-    <message>
-        <source>Use what is on trial from the next start of the line</source>
-        <translation>Probe ab dem nächsten Start der Linie verwenden</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Grund</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>Grund der Änderung</translation>
-    </message>
-    <message>
-        <source>Live again</source>
-        <translation>Wieder live</translation>
-    </message>
-    <message>
-        <source>Freeze</source>
-        <translation>Einfrieren</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures</source>
-        <translation>Bilder einfrieren</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures (P)</source>
-        <translation>Bilder einfrieren (P)</translation>
-    </message>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
         <translation>Was erprobt wird, wirkt nur auf diese Bilder, bis es angewendet wird.</translation>
@@ -3709,14 +5924,6 @@
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
         <translation>Erproben darf jeder; ein angemeldeter Techniker wendet an.</translation>
-    </message>
-    <message>
-        <source>lost: %1</source>
-        <translation>ausgefallen: %1</translation>
-    </message>
-    <message>
-        <source>held, %1 old</source>
-        <translation>gehalten, %1 alt</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3735,48 +5942,213 @@
         <translation>Eine Änderung der Messung braucht einen Grund.</translation>
     </message>
     <message>
-        <source>Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what it began with.</source>
-        <translation>Gilt ab dem nächsten Start der Linie (Strg+R hält an und startet); die laufende Schiene behält, womit sie begann.</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>Kamera %1</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Saturated, %</source>
-        <translation>Übersteuert, %</translation>
-    </message>
-    <message>
-        <source>Uncertainty, px</source>
-        <translation>Unsicherheit, px</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Zeit, ms</translation>
-    </message>
-    <message>
-        <source>Mean shift, px</source>
-        <translation>Mittlere Verschiebung, px</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Bild sichern</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 ist geschrieben</translation>
+        <source>Lost: %1</source>
+        <translation>Verloren: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
+        <source>Held</source>
+        <translation>Gehalten</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Kamera %1</translation>
+        <source>The line has not been started (Ctrl+R).</source>
+        <translation>Die Linie ist nicht gestartet (Strg+R).</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is no longer held: the last %n are.</source>
+        <translation>
+            <numerusform>Das Bild wird nicht mehr gehalten: nur das letzte (%n).</numerusform>
+            <numerusform>Das Bild wird nicht mehr gehalten: nur die letzten %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Kein Bild: %1</translation>
+    </message>
+    <message>
+        <source>Pictures behind the profile at %1 m.</source>
+        <translation>Bilder hinter dem Messprofil bei %1 m.</translation>
+    </message>
+    <message>
+        <source>Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Wartet auf die nächste Schiene; die laufende behält, womit sie begann.</translation>
+    </message>
+    <message>
+        <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
+        <translation>Es gibt kein Archiv, die Änderung ließe sich nicht aufzeichnen: nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The change is being recorded…</source>
+        <translation>Die Änderung wird aufgezeichnet…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, because it could not be recorded: %1</source>
+        <translation>Nichts wurde geändert, weil es nicht aufgezeichnet werden konnte: %1</translation>
+    </message>
+    <message>
+        <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
+        <translation>Aufgezeichnet. Die Belichtung ändert sich mit dem nächsten Start der Linie, die Parameter mit der nächsten Schiene.</translation>
+    </message>
+    <message>
+        <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Aufgezeichnet. Wartet auf die nächste Schiene; die laufende behält, womit sie begann.</translation>
+    </message>
+    <message>
+        <source>Camera %1 has no picture to save.</source>
+        <translation>Kamera %1 hat kein Bild zum Sichern.</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Sichert %1…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::StudyPanel</name>
+    <message>
+        <source>Parameter study</source>
+        <translation>Parameterstudie</translation>
+    </message>
+    <message>
+        <source>Main effects</source>
+        <translation>Haupteffekte</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Settings and their levels</source>
+        <translation>Einstellungen und ihre Stufen</translation>
+    </message>
+    <message>
+        <source>Influence of each setting</source>
+        <translation>Einfluss jeder Einstellung</translation>
+    </message>
+    <message>
+        <source>Placements of the plate</source>
+        <translation>Stellungen der Platte</translation>
+    </message>
+    <message>
+        <source>Placements of the plate for the study</source>
+        <translation>Stellungen der Platte für die Studie</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Fortschritt der Studie</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>Studie starten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>settings and levels</source>
+        <translation>Einstellungen und Stufen</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Abgebrochen: nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation>Bericht der Studie</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
+        <translation>Gesperrt, solange die Linie misst: die Platte steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
+    </message>
+    <message>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>Jede Kombination der Stufen ist eine Kalibrierung nach der Methode des Aufsatzes an Bildern der Platte. Stufen werden durch Kommas getrennt; eine oder keine Stufe: die Einstellung wird nicht verändert.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Rechnet…</translation>
+    </message>
+    <message>
+        <source>Next: choose levels and start.</source>
+        <translation>Weiter: Stufen wählen und starten.</translation>
+    </message>
+    <message>
+        <source>Exposure, ms</source>
+        <translation>Belichtung, ms</translation>
+    </message>
+    <message>
+        <source>Smoothing σ, px</source>
+        <translation>Glättung σ, px</translation>
+    </message>
+    <message>
+        <source>Ellipses a pin</source>
+        <translation>Ellipsen je Stift</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ausgleich</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SupportBundle</name>
+    <message>
+        <source>is there already</source>
+        <translation>ist schon vorhanden</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>cancelled: nothing is left of it</source>
+        <translation>abgebrochen: nichts bleibt davon</translation>
     </message>
 </context>
 <context>
@@ -3815,6 +6187,181 @@
     <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::TrialPanel</name>
+    <message>
+        <source>Line extraction</source>
+        <translation>Linienextraktion</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Low threshold</source>
+        <translation>Untere Schwelle</translation>
+    </message>
+    <message>
+        <source>High threshold</source>
+        <translation>Obere Schwelle</translation>
+    </message>
+    <message>
+        <source>Link distance</source>
+        <translation>Koppelabstand</translation>
+    </message>
+    <message>
+        <source>Link angle</source>
+        <translation>Koppelwinkel</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>On trial</source>
+        <translation>Auf Probe</translation>
+    </message>
+    <message>
+        <source>%1 on trial</source>
+        <translation>%1 auf Probe</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1: weniger</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1: mehr</translation>
+    </message>
+    <message>
+        <source>Choose camera %1</source>
+        <translation>Kamera %1 wählen</translation>
+    </message>
+    <message>
+        <source>Pixels with the line in use</source>
+        <translation>Pixel mit der Linie in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Pixels with the line on trial</source>
+        <translation>Pixel mit der Linie auf Probe</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>In use against on trial</source>
+        <translation>In Gebrauch gegen Probe</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Gained, lost</source>
+        <translation>Neu, verloren</translation>
+    </message>
+    <message>
+        <source>Saturated points</source>
+        <translation>Übersteuerte Punkte</translation>
+    </message>
+    <message>
+        <source>Uncertainty, px</source>
+        <translation>Unsicherheit, px</translation>
+    </message>
+    <message>
+        <source>Shift: mean, largest, px</source>
+        <translation>Versatz: Mittel, größter, px</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Zeit, ms</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Save the picture of the chosen camera (Ctrl+S)</source>
+        <translation>Bild der gewählten Kamera sichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Einfrieren</translation>
+    </message>
+    <message>
+        <source>Live pictures again (P)</source>
+        <translation>Wieder Live-Bilder (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures (P)</source>
+        <translation>Bilder einfrieren (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures</source>
+        <translation>Bilder einfrieren</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Messprofil</translation>
+    </message>
+    <message>
+        <source>The pictures behind the newest profile (B)</source>
+        <translation>Die Bilder hinter dem neuesten Messprofil (B)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard what is on trial</source>
+        <translation>Probe verwerfen</translation>
+    </message>
+    <message>
+        <source>Use from next rail</source>
+        <translation>Ab nächster Schiene</translation>
+    </message>
+    <message>
+        <source>Use what is on trial from the next rail on</source>
+        <translation>Probe ab der nächsten Schiene verwenden</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Grund der Änderung</translation>
+    </message>
+    <message>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>Die Belichtung dieser Kameras lässt sich von hier nicht ändern.</translation>
+    </message>
+    <message>
+        <source>camera %1, frozen</source>
+        <translation>Kamera %1, eingefroren</translation>
+    </message>
+    <message>
+        <source>camera %1, live</source>
+        <translation>Kamera %1, live</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>kein Bild</translation>
+    </message>
+    <message>
+        <source>nothing on trial: change a parameter</source>
+        <translation>nichts auf Probe: einen Parameter ändern</translation>
     </message>
 </context>
 <context>
@@ -3971,6 +6518,41 @@
     <message>
         <source>fewer than %1 rails prove little</source>
         <translation>weniger als %1 Schienen beweisen wenig</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::WorthTable</name>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Zulässig</translation>
+    </message>
+    <message>
+        <source>Largest part</source>
+        <translation>Größter Anteil</translation>
+    </message>
+    <message>
+        <source>What the calibration is worth for each dimension</source>
+        <translation>Was die Kalibrierung für jedes Maß wert ist</translation>
+    </message>
+    <message>
+        <source>More than the tolerance allows</source>
+        <translation>Mehr, als die Toleranz erlaubt</translation>
+    </message>
+    <message>
+        <source>too much: %1</source>
+        <translation>zu viel: %1</translation>
     </message>
 </context>
 </TS>

@@ -1211,6 +1211,153 @@
     </message>
 </context>
 <context>
+    <name>RecipeSetting</name>
+    <message>
+        <source>Section</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Profile class</source>
+        <translation>Clase de perfil</translation>
+    </message>
+    <message>
+        <source>Straightness class</source>
+        <translation>Clase de rectitud</translation>
+    </message>
+    <message>
+        <source>RFH: distance from the axis, mm</source>
+        <translation>RFH: distancia al eje, mm</translation>
+    </message>
+    <message>
+        <source>HF: half width of the crown, mm</source>
+        <translation>HF: semiancho de la rodadura, mm</translation>
+    </message>
+    <message>
+        <source>HW: depth below the crown, mm</source>
+        <translation>HW: profundidad bajo la rodadura, mm</translation>
+    </message>
+    <message>
+        <source>HWA: the AREMA depth, mm</source>
+        <translation>HWA: la profundidad AREMA, mm</translation>
+    </message>
+    <message>
+        <source>FT: inside the foot edges, mm</source>
+        <translation>FT: dentro de los bordes del patín, mm</translation>
+    </message>
+    <message>
+        <source>RAS: depth below the crown, mm</source>
+        <translation>RAS: profundidad bajo la rodadura, mm</translation>
+    </message>
+    <message>
+        <source>WT: height, mm (none: thinnest)</source>
+        <translation>WT: altura, mm (vacío: la más fina)</translation>
+    </message>
+    <message>
+        <source>Base line: inside the foot edges, mm</source>
+        <translation>Línea base: dentro de los bordes del patín, mm</translation>
+    </message>
+    <message>
+        <source>Line: smoothing σ, px</source>
+        <translation>Línea: suavizado σ, px</translation>
+    </message>
+    <message>
+        <source>Line: low threshold, DN</source>
+        <translation>Línea: umbral bajo, DN</translation>
+    </message>
+    <message>
+        <source>Line: high threshold, DN</source>
+        <translation>Línea: umbral alto, DN</translation>
+    </message>
+    <message>
+        <source>Line: longest gap bridged, px</source>
+        <translation>Línea: mayor hueco salvado, px</translation>
+    </message>
+    <message>
+        <source>Line: largest angle joined, °</source>
+        <translation>Línea: mayor ángulo unido, °</translation>
+    </message>
+    <message>
+        <source>Line: shortest kept, points</source>
+        <translation>Línea: la más corta, puntos</translation>
+    </message>
+    <message>
+        <source>Line: blocks before overload</source>
+        <translation>Línea: bloques antes de sobrecarga</translation>
+    </message>
+    <message>
+        <source>Line: pull of bends taken off</source>
+        <translation>Línea: sesgo en curvas corregido</translation>
+    </message>
+    <message>
+        <source>Registration: scale at first, mm</source>
+        <translation>Ajuste: escala inicial, mm</translation>
+    </message>
+    <message>
+        <source>Registration: scale with a start, mm</source>
+        <translation>Ajuste: escala con posición previa, mm</translation>
+    </message>
+    <message>
+        <source>Registration: inlier below, mm</source>
+        <translation>Ajuste: punto válido por debajo de, mm</translation>
+    </message>
+    <message>
+        <source>Registration: points used within, mm</source>
+        <translation>Ajuste: puntos usados hasta, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails above rms, mm</source>
+        <translation>Ajuste: falla si rms supera, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails below share</source>
+        <translation>Ajuste: falla si la parte es menor</translation>
+    </message>
+    <message>
+        <source>Measuring: ends left out, mm</source>
+        <translation>Medición: extremos omitidos, mm</translation>
+    </message>
+    <message>
+        <source>Measuring: least points</source>
+        <translation>Medición: puntos mínimos</translation>
+    </message>
+    <message>
+        <source>Measuring: expansion, 1/K</source>
+        <translation>Medición: dilatación, 1/K</translation>
+    </message>
+    <message>
+        <source>Measuring: hottest rail, °C</source>
+        <translation>Medición: carril más caliente, °C</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>%1: limits, mm</source>
+        <translation>%1: límites, mm</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>no se juzga</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>como máx. %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Operator</source>
@@ -1227,6 +1374,261 @@
     <message>
         <source>Administrator</source>
         <translation>Administrador</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>no outlier</source>
+        <translation>sin atípicos</translation>
+    </message>
+    <message>
+        <source>straggler (5 %)</source>
+        <translation>dudoso (5 %)</translation>
+    </message>
+    <message>
+        <source>outlier (1 %)</source>
+        <translation>atípico (1 %)</translation>
+    </message>
+    <message>
+        <source>%1: %2, critical %3 at 1 %</source>
+        <translation>%1: %2, crítico %3 al 1 %</translation>
+    </message>
+    <message>
+        <source>Mean range of the runs, mm, per %1 m (Table VI)</source>
+        <translation>Rango medio de las pasadas, mm, por %1 m (Tabla VI)</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>share of T, %</source>
+        <translation>parte de T, %</translation>
+    </message>
+    <message>
+        <source>Errors against the reference, mm (Table V)</source>
+        <translation>Errores frente a la referencia, mm (Tabla V)</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>sesgo</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>máximo</translation>
+    </message>
+    <message>
+        <source>largest, %</source>
+        <translation>máximo, %</translation>
+    </message>
+    <message>
+        <source>E_n above 1</source>
+        <translation>E_n mayor que 1</translation>
+    </message>
+    <message>
+        <source>%1: values of the runs</source>
+        <translation>%1: valores de las pasadas</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>longitud, m</translation>
+    </message>
+    <message>
+        <source>%1: range of the runs</source>
+        <translation>%1: rango de las pasadas</translation>
+    </message>
+    <message>
+        <source>%1: error at each position</source>
+        <translation>%1: error en cada posición</translation>
+    </message>
+    <message>
+        <source>mean of the runs</source>
+        <translation>media de las pasadas</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Sin veredicto</translation>
+    </message>
+    <message>
+        <source>no dimension has both a tolerance and figures</source>
+        <translation>ninguna cota tiene a la vez tolerancia y cifras</translation>
+    </message>
+    <message>
+        <source>Repeatable</source>
+        <translation>Repetible</translation>
+    </message>
+    <message>
+        <source>Not repeatable</source>
+        <translation>No repetible</translation>
+    </message>
+    <message>
+        <source>%1 uses the largest share of its tolerance, %2; allowed are %3 %</source>
+        <translation>%1 usa la mayor parte de su tolerancia, %2; se admite %3 %</translation>
+    </message>
+    <message>
+        <source>uncertainties of values and reference are both needed for E_n; the figures stand by themselves</source>
+        <translation>para E_n se necesitan las incertidumbres de valores y referencia; las cifras valen por sí solas</translation>
+    </message>
+    <message>
+        <source>Agrees</source>
+        <translation>Concuerda</translation>
+    </message>
+    <message>
+        <source>Does not agree</source>
+        <translation>No concuerda</translation>
+    </message>
+    <message>
+        <source>worst is %1: E n above 1 in %2 of its %3 values; chance allows %4</source>
+        <translation>el peor es %1: E n mayor que 1 en %2 de sus %3 valores; el azar admite %4</translation>
+    </message>
+    <message>
+        <source>Runs and positions</source>
+        <translation>Pasadas y posiciones</translation>
+    </message>
+    <message>
+        <source>Repeatability s r</source>
+        <translation>Repetibilidad s r</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>su intervalo del 95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Limit r = 2.8 s r</source>
+        <translation>Límite r = 2,8 s r</translation>
+    </message>
+    <message>
+        <source>Mean and largest range</source>
+        <translation>Rango medio y máximo</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>s from the range</source>
+        <translation>s a partir del rango</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autocorrelación</translation>
+    </message>
+    <message>
+        <source>Left out: a run lacks them</source>
+        <translation>Omitidos: faltan en una pasada</translation>
+    </message>
+    <message>
+        <source>Grubbs, means of the runs</source>
+        <translation>Grubbs, medias de las pasadas</translation>
+    </message>
+    <message>
+        <source>Cochran, scatter of the runs</source>
+        <translation>Cochran, dispersión de las pasadas</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Sesgo</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Error RMS</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Error máximo</translation>
+    </message>
+    <message>
+        <source>in % of the reference</source>
+        <translation>en % de la referencia</translation>
+    </message>
+    <message>
+        <source>Limits of agreement</source>
+        <translation>Límites de concordancia</translation>
+    </message>
+    <message>
+        <source>interval of the lower</source>
+        <translation>intervalo del inferior</translation>
+    </message>
+    <message>
+        <source>interval of the upper</source>
+        <translation>intervalo del superior</translation>
+    </message>
+    <message>
+        <source>Largest E n</source>
+        <translation>E n máximo</translation>
+    </message>
+    <message>
+        <source>E n above 1</source>
+        <translation>E n mayor que 1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Repeatability study</source>
+        <translation>Estudio de repetibilidad</translation>
+    </message>
+    <message>
+        <source>Accuracy study</source>
+        <translation>Estudio de exactitud</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerancias</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>means over %1 m</source>
+        <translation>medias sobre %1 m</translation>
+    </message>
+    <message>
+        <source>single profiles</source>
+        <translation>perfiles individuales</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>Runs: %1.</source>
+        <translation>Pasadas: %1.</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Condiciones: %1.</translation>
+    </message>
+    <message>
+        <source>%1 over the length, as Fig. 9</source>
+        <translation>%1 a lo largo, como la Fig. 9</translation>
+    </message>
+    <message>
+        <source>%1 against its reference</source>
+        <translation>%1 frente a su referencia</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Cifras de %1</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +2056,229 @@
     </message>
 </context>
 <context>
+    <name>vignole::CalibrationDesk</name>
+    <message>
+        <source>Calibrations are not kept: %1. Start the program with an archive (--archive FILE).</source>
+        <translation>Las calibraciones no se guardan: %1. Inicie el programa con un archivo (--archive FILE).</translation>
+    </message>
+    <message>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>Calibrar es cosa del técnico: inicie sesión como técnico o calidad (Ajustes, F10).</translation>
+    </message>
+    <message>
+        <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
+        <translation>No hay archivo, así que una calibración no podría guardarse ni revertirse: inicie el programa con --archive FILE.</translation>
+    </message>
+    <message>
+        <source>Another calibration needs a reason.</source>
+        <translation>Otra calibración necesita un motivo.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::CalibrationOverview</name>
+    <message>
+        <source>In force</source>
+        <translation>Vigente</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>What it is worth</source>
+        <translation>Cuánto vale</translation>
+    </message>
+    <message>
+        <source>Calibrations kept</source>
+        <translation>Calibraciones guardadas</translation>
+    </message>
+    <message>
+        <source>choose one to compare it with the one in force</source>
+        <translation>elija una para compararla con la vigente</translation>
+    </message>
+    <message>
+        <source>Range finders…</source>
+        <translation>Telémetros…</translation>
+    </message>
+    <message>
+        <source>Calibrate the range finders with the pin plate</source>
+        <translation>Calibrar los telémetros con la placa de pasadores</translation>
+    </message>
+    <message>
+        <source>Lens of a camera…</source>
+        <translation>Objetivo de cámara…</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens of a camera with the flat target</source>
+        <translation>Calibrar el objetivo de una cámara con el patrón plano</translation>
+    </message>
+    <message>
+        <source>Encoder…</source>
+        <translation>Encóder…</translation>
+    </message>
+    <message>
+        <source>Calibrate the encoder over a known length</source>
+        <translation>Calibrar el encóder sobre una longitud conocida</translation>
+    </message>
+    <message>
+        <source>Reference piece…</source>
+        <translation>Pieza de referencia…</translation>
+    </message>
+    <message>
+        <source>Check the calibration on a reference piece</source>
+        <translation>Comprobar la calibración con una pieza de referencia</translation>
+    </message>
+    <message>
+        <source>Parameter study…</source>
+        <translation>Estudio de parámetros…</translation>
+    </message>
+    <message>
+        <source>Study which settings of the calibration matter</source>
+        <translation>Estudiar qué ajustes de la calibración importan</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Guardada</translation>
+    </message>
+    <message>
+        <source>By, because</source>
+        <translation>Por, motivo</translation>
+    </message>
+    <message>
+        <source>What the calibration in force is worth</source>
+        <translation>Cuánto vale la calibración vigente</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Reason for putting it back in force</source>
+        <translation>Motivo para volver a ponerla en vigor</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Poner en vigor</translation>
+    </message>
+    <message>
+        <source>Put the chosen calibration in force</source>
+        <translation>Poner en vigor la calibración elegida</translation>
+    </message>
+    <message>
+        <source>No calibration</source>
+        <translation>Sin calibración</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: calibrate the range finders.</source>
+        <translation>No se puede medir nada: calibre los telémetros.</translation>
+    </message>
+    <message>
+        <source>Overdue: %1. Calibrate the range finders.</source>
+        <translation>Vencida: %1. Calibre los telémetros.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Due in %n day(s).</source>
+        <translation>
+            <numerusform>Vence en %n día.</numerusform>
+            <numerusform>Vence en %n días.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No interval is set.</source>
+        <translation>No hay intervalo fijado.</translation>
+    </message>
+    <message>
+        <source>Method: %1
+Made: %2
+Plate: %3
+Cameras: %4</source>
+        <translation>Método: %1
+Hecha: %2
+Placa: %3
+Cámaras: %4</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
+        <translation>Aún no se guarda ninguna. La primera se guarda al medir un carril o al terminar un asistente.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>Vigente: %1</translation>
+    </message>
+    <message>
+        <source> (cannot be read)</source>
+        <translation> (no se puede leer)</translation>
+    </message>
+    <message>
+        <source>of another rig</source>
+        <translation>de otro equipo</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Admitida</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>U of it</source>
+        <translation>Su U</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) en %1</translation>
+    </message>
+    <message>
+        <source>Difference: what the chosen one measures more than the one in force</source>
+        <translation>Diferencia: lo que la elegida mide de más respecto a la vigente</translation>
+    </message>
+    <message>
+        <source>By the calibration alone, without the noise of the profiles</source>
+        <translation>Solo por la calibración, sin el ruido de los perfiles</translation>
+    </message>
+    <message>
+        <source>%1, too much</source>
+        <translation>%1, demasiado</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>no indicada</translation>
+    </message>
+    <message>
+        <source>Nothing is applied before old and new are compared.</source>
+        <translation>Nada se aplica antes de comparar la antigua y la nueva.</translation>
+    </message>
+    <message>
+        <source>It is of other cameras and cannot be put in force here.</source>
+        <translation>Es de otras cámaras y no puede ponerse en vigor aquí.</translation>
+    </message>
+    <message>
+        <source>It is in force.</source>
+        <translation>Está vigente.</translation>
+    </message>
+    <message>
+        <source>It is in force: the line measures with it from the next rail on.</source>
+        <translation>Está vigente: la línea mide con ella desde el próximo carril.</translation>
+    </message>
+</context>
+<context>
     <name>vignole::ChartsPage</name>
     <message>
         <source>Dimensions</source>
@@ -1779,10 +2404,6 @@
         <translation>Desviación típica</translation>
     </message>
     <message>
-        <source>Smallest, largest</source>
-        <translation>Menor, mayor</translation>
-    </message>
-    <message>
         <source>Uncertainty U (k = 2)</source>
         <translation>Incertidumbre U (k = 2)</translation>
     </message>
@@ -1834,6 +2455,14 @@
         <source>%1 cannot be written</source>
         <translation>%1 no se puede escribir</translation>
     </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Menor</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Mayor</translation>
+    </message>
 </context>
 <context>
     <name>vignole::DiagnosticsPage</name>
@@ -1856,14 +2485,6 @@
     <message>
         <source>Computer</source>
         <translation>Equipo</translation>
-    </message>
-    <message>
-        <source>Support file…</source>
-        <translation>Archivo de soporte…</translation>
-    </message>
-    <message>
-        <source>Save a support file</source>
-        <translation>Guardar un archivo de soporte</translation>
     </message>
     <message>
         <source>Where every trigger went</source>
@@ -1934,16 +2555,8 @@
         <translation>: perdida</translation>
     </message>
     <message>
-        <source>Rendered cameras: no packets to be sent again, no temperature.</source>
-        <translation>Cámaras simuladas: sin reenvío de paquetes, sin temperatura.</translation>
-    </message>
-    <message>
         <source>Disk</source>
         <translation>Disco</translation>
-    </message>
-    <message>
-        <source>%1 of %2 GB free</source>
-        <translation>%1 de %2 GB libres</translation>
     </message>
     <message>
         <source>make room: nearly full</source>
@@ -1952,14 +2565,6 @@
     <message>
         <source>Archive</source>
         <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>abierto</translation>
-    </message>
-    <message>
-        <source>none: rails are not kept</source>
-        <translation>ninguno: los carriles no se guardan</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -1989,24 +2594,115 @@
         <translation>Ventana</translation>
     </message>
     <message>
-        <source>turn p99 %1 ms</source>
-        <translation>vuelta p99 %1 ms</translation>
-    </message>
-    <message>
-        <source>p50 %1, largest %2, limit 50 ms</source>
-        <translation>p50 %1, mayor %2, límite 50 ms</translation>
-    </message>
-    <message>
         <source>Screen</source>
         <translation>Pantalla</translation>
     </message>
     <message>
-        <source>the window&apos;s thread</source>
-        <translation>el hilo de la ventana</translation>
+        <source>%1 is written.</source>
+        <translation>%1 está escrito.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 no se puede escribir: %2</translation>
+        <source>How much of the support bundle is written</source>
+        <translation>Cuánto del archivo de soporte está escrito</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>%1 profiles lost</source>
+        <translation>%1 perfiles perdidos</translation>
+    </message>
+    <message>
+        <source>%1 without points</source>
+        <translation>%1 sin puntos</translation>
+    </message>
+    <message>
+        <source>%1 profiles kept</source>
+        <translation>%1 perfiles guardados</translation>
+    </message>
+    <message>
+        <source>rails are not kept</source>
+        <translation>los carriles no se guardan</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, %2 % of a core</source>
+        <translation>%1 imágenes/s, %2 % de un núcleo</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Not available here, because these cameras are rendered: resends, incomplete frames, timeouts, temperature.</source>
+        <translation>No disponible aquí, porque estas cámaras son simuladas: reenvíos, imágenes incompletas, esperas agotadas, temperatura.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 GB</source>
+        <translation>%1 de %2 GB</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>no indicado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s) kept</source>
+        <translation>
+            <numerusform>%n carril guardado</numerusform>
+            <numerusform>%n carriles guardados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 MB, WAL %2 MB</source>
+        <translation>%1 MB, WAL %2 MB</translation>
+    </message>
+    <message>
+        <source>open, nothing is written</source>
+        <translation>abierto, no se escribe nada</translation>
+    </message>
+    <message>
+        <source>of %1 GB</source>
+        <translation>de %1 GB</translation>
+    </message>
+    <message>
+        <source>p99 %1 ms</source>
+        <translation>p99 %1 ms</translation>
+    </message>
+    <message>
+        <source>p50 %1, max %2</source>
+        <translation>p50 %1, máx %2</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>ventana</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Where the support bundle is put</source>
+        <translation>Dónde se deja el archivo de soporte</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Archivo de soporte…</translation>
+    </message>
+    <message>
+        <source>Cancel the support bundle</source>
+        <translation>Cancelar el archivo de soporte</translation>
+    </message>
+    <message>
+        <source>Save a support bundle</source>
+        <translation>Guardar un archivo de soporte</translation>
     </message>
 </context>
 <context>
@@ -2080,6 +2776,235 @@
     <message>
         <source>Dimensions</source>
         <translation>Cotas</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DriftPanel</name>
+    <message>
+        <source>Health</source>
+        <translation>Salud</translation>
+    </message>
+    <message>
+        <source>seams between the cameras on every rail</source>
+        <translation>uniones entre las cámaras en cada carril</translation>
+    </message>
+    <message>
+        <source>Shift of each camera, rail by rail</source>
+        <translation>Desplaz. de cada cámara, carril por carril</translation>
+    </message>
+    <message>
+        <source>Shift of each camera since its calibration</source>
+        <translation>Desplaz. de cada cámara desde su calibración</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplaz.</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Alarm above</source>
+        <translation>Alarma desde</translation>
+    </message>
+    <message>
+        <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
+        <translation>Aún no ha pasado ningún carril. La deriva de las cámaras se ve en las uniones de la producción normal, sin placa.</translation>
+    </message>
+    <message>
+        <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
+        <translation>Aprendiendo cómo son las uniones: %1 de %2 carriles desde que rige esta calibración.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No camera has moved: %n rail(s) watched.</source>
+        <translation>
+            <numerusform>Ninguna cámara se ha movido: %n carril vigilado.</numerusform>
+            <numerusform>Ninguna cámara se ha movido: %n carriles vigilados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 moved</source>
+        <translation>%1 desplazada</translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation>carril</translation>
+    </message>
+    <message>
+        <source>shift in </source>
+        <translation>desplaz. en </translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>alarm above</source>
+        <translation>alarma desde</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::EncoderPanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Encóder</translation>
+    </message>
+    <message>
+        <source>Motion a pulse</source>
+        <translation>Avance por pulso</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lecturas</translation>
+    </message>
+    <message>
+        <source>Known length, first to last reading</source>
+        <translation>Longitud conocida, primera a última lectura</translation>
+    </message>
+    <message>
+        <source>Known length, mm</source>
+        <translation>Longitud conocida, mm</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Su incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length, mm</source>
+        <translation>Incertidumbre típica de la longitud, mm</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, for training</source>
+        <translation>Deslizamiento del segundo encóder virtual, para formación</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, ppm</source>
+        <translation>Deslizamiento del segundo encóder virtual, ppm</translation>
+    </message>
+    <message>
+        <source>Drive the rail</source>
+        <translation>Mover el carril</translation>
+    </message>
+    <message>
+        <source>Readings from a file…</source>
+        <translation>Lecturas de archivo…</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Magnitud</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Cuenta</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Segundo</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Readings of the encoder</source>
+        <translation>Lecturas del encóder</translation>
+    </message>
+    <message>
+        <source>Slip along the way</source>
+        <translation>Desliz. a lo largo</translation>
+    </message>
+    <message>
+        <source>Readings: count,x_mm,y_mm[,count2]</source>
+        <translation>Lecturas: count,x_mm,y_mm[,count2]</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the rail is driven by hand over a known length. Stop the line to go on.</source>
+        <translation>Cerrado mientras la línea mide: el carril se mueve a mano sobre una longitud conocida. Pare la línea para continuar.</translation>
+    </message>
+    <message>
+        <source>A rail is driven over a length that is known, and the pulses are counted: where the light crosses it, it is seen as well.</source>
+        <translation>Un carril recorre una longitud conocida y se cuentan los pulsos: también se ve dónde lo cruza la luz.</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>second behind first, pulses</source>
+        <translation>retraso del segundo, pulsos</translation>
+    </message>
+    <message>
+        <source>Next: drive the rail over the known length.</source>
+        <translation>Siguiente: mueva el carril sobre la longitud conocida.</translation>
+    </message>
+    <message>
+        <source> µm a pulse</source>
+        <translation> µm por pulso</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>unknown: fewer than three readings</source>
+        <translation>desconocida: menos de tres lecturas</translation>
+    </message>
+    <message>
+        <source>Along (V z)</source>
+        <translation>A lo largo (V z)</translation>
+    </message>
+    <message>
+        <source>Sideways (V x)</source>
+        <translation>Lateral (V x)</translation>
+    </message>
+    <message>
+        <source>Upwards (V y)</source>
+        <translation>Hacia arriba (V y)</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Pulsos</translation>
+    </message>
+    <message>
+        <source>Slip of the second</source>
+        <translation>Desliz. del segundo</translation>
+    </message>
+    <message>
+        <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
+        <translation>Un encóder desliza. Siguiente: limpie las ruedas, apriételas y repita el recorrido.</translation>
+    </message>
+    <message>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <translation>Un pulso son %1 µm de carril. Siguiente: introdúzcalo donde los pulsos del encóder se dividen en disparos.</translation>
     </message>
 </context>
 <context>
@@ -2186,6 +3111,328 @@
     <message>
         <source>Last rails</source>
         <translation>Últimos</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::LensWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Cancelando…</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Preparar</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>Parts of the picture that have been seen</source>
+        <translation>Partes de la imagen que se han visto</translation>
+    </message>
+    <message>
+        <source>Picture of the target</source>
+        <translation>Imagen del patrón</translation>
+    </message>
+    <message>
+        <source>Pictures taken</source>
+        <translation>Imágenes tomadas</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Oblicuo</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Borroso</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Calcular</translation>
+    </message>
+    <message>
+        <source>Lens models (Table III)</source>
+        <translation>Modelos de objetivo (Tabla III)</translation>
+    </message>
+    <message>
+        <source>Distortion model</source>
+        <translation>Modelo de distorsión</translation>
+    </message>
+    <message>
+        <source>Mean error px</source>
+        <translation>Error medio px</translation>
+    </message>
+    <message>
+        <source>RMS px</source>
+        <translation>RMS px</translation>
+    </message>
+    <message>
+        <source>Not seen before px</source>
+        <translation>No vistas antes px</translation>
+    </message>
+    <message>
+        <source>Focal length mm</source>
+        <translation>Distancia focal mm</translation>
+    </message>
+    <message>
+        <source>Lens models that were tried</source>
+        <translation>Modelos de objetivo probados</translation>
+    </message>
+    <message>
+        <source>Coverage and residuals</source>
+        <translation>Cobertura y residuos</translation>
+    </message>
+    <message>
+        <source>Points of all pictures</source>
+        <translation>Puntos de todas las imágenes</translation>
+    </message>
+    <message>
+        <source>Mean residual by place</source>
+        <translation>Residuo medio por lugar</translation>
+    </message>
+    <message>
+        <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
+Target: %1, points within ±%2 µm.</source>
+        <translation>El patrón plano con círculos se sostiene ante una cámara, en la posición dibujada, imagen por imagen. El modelo de objetivo es el más simple que predice imágenes que no ha visto.
+Patrón: %1, puntos dentro de ±%2 µm.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Camera whose lens is calibrated</source>
+        <translation>Cámara cuyo objetivo se calibra</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Pictures: twelve cover a lens.</source>
+        <translation>Imágenes: doce cubren un objetivo.</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>Número de imágenes</translation>
+    </message>
+    <message>
+        <source>Target to the right, mm</source>
+        <translation>Patrón a la derecha, mm</translation>
+    </message>
+    <message>
+        <source>Target down, mm</source>
+        <translation>Patrón hacia abajo, mm</translation>
+    </message>
+    <message>
+        <source>Distance of the target, mm</source>
+        <translation>Distancia del patrón, mm</translation>
+    </message>
+    <message>
+        <source>Tilt up and down, degrees</source>
+        <translation>Inclinación arriba y abajo, grados</translation>
+    </message>
+    <message>
+        <source>Tilt to the sides, degrees</source>
+        <translation>Inclinación a los lados, grados</translation>
+    </message>
+    <message>
+        <source>Turn of the target, degrees</source>
+        <translation>Giro del patrón, grados</translation>
+    </message>
+    <message>
+        <source>Hold as shown</source>
+        <translation>Sostener como se ve</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>Tomar imagen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Use with the plate</source>
+        <translation>Usar con la placa</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Cerrado mientras la línea mide</translation>
+    </message>
+    <message>
+        <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>La cámara hace falta para las imágenes del patrón. Pare la línea para continuar; lo tomado hasta ahora se conserva.</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Progreso del cálculo</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión. Inicie el programa con el equipo virtual.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Cancelado: nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Lens of the camera</source>
+        <translation>Objetivo de la cámara</translation>
+    </message>
+    <message>
+        <source>camera%1.toml</source>
+        <translation>camera%1.toml</translation>
+    </message>
+    <message>
+        <source>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</source>
+        <translation>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>camera and target</source>
+        <translation>cámara y patrón</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>model chosen by the data</source>
+        <translation>modelo elegido por los datos</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Table III, residuals</source>
+        <translation>Tabla III, residuos</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture</source>
+        <translation>%1 % de la imagen</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Aún ninguna.</translation>
+    </message>
+    <message>
+        <source>May be used, but: %1</source>
+        <translation>Puede usarse, pero: %1</translation>
+    </message>
+    <message>
+        <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
+        <translation>Puede usarse: error medio %1 px con el modelo %2, elegido con imágenes que no había visto.</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, elegido</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Next: choose the camera.</source>
+        <translation>Siguiente: elija la cámara.</translation>
+    </message>
+    <message>
+        <source>First picture</source>
+        <translation>Primera imagen</translation>
+    </message>
+    <message>
+        <source>Looking at the target…</source>
+        <translation>Mirando el patrón…</translation>
+    </message>
+    <message>
+        <source>This picture would be refused: %1</source>
+        <translation>Esta imagen se rechazaría: %1</translation>
+    </message>
+    <message>
+        <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
+        <translation>Esta imagen se rechazaría, porque muestra la posición de la imagen %1; mueva el patrón al contorno discontinuo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) found.</source>
+        <translation>
+            <numerusform>%n punto encontrado.</numerusform>
+            <numerusform>%n puntos encontrados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: solve, or take more.</source>
+        <translation>Siguiente: calcule o tome más.</translation>
+    </message>
+    <message>
+        <source>Working out which pose tells most…</source>
+        <translation>Buscando la posición que más aporta…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
+        <translation>
+            <numerusform>Siguiente: lleve el patrón al contorno discontinuo y tome la imagen; falta %n.</numerusform>
+            <numerusform>Siguiente: lleve el patrón al contorno discontinuo y tome la imagen; faltan %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: %1; %n to go.</source>
+        <translation>
+            <numerusform>Siguiente: %1; falta %n.</numerusform>
+            <numerusform>Siguiente: %1; faltan %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens models are adjusted and tried on pictures they have not seen.</source>
+        <translation>Los modelos de objetivo se ajustan y se prueban con imágenes que no han visto.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the result comes by itself.</source>
+        <translation>Siguiente: nada que hacer; el resultado llega solo.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be used.</source>
+        <translation>Rechazado: no se puede usar.</translation>
+    </message>
+    <message>
+        <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
+        <translation>El asistente de los telémetros usa este objetivo. Siguiente: calibre los telémetros.</translation>
+    </message>
+    <message>
+        <source>Next: use it with the plate, or save it.</source>
+        <translation>Siguiente: úselo con la placa o guárdelo.</translation>
     </message>
 </context>
 <context>
@@ -2583,8 +3830,78 @@
         <translation>Cámara %1</translation>
     </message>
     <message>
-        <source>mean time of a stage, SD standard deviation, UCL upper limit of the 99 % confidence interval; of a queue now (dark), highest fill (mark) and size</source>
-        <translation>tiempo medio de una etapa, DT desviación típica, LCS límite superior del intervalo de confianza del 99 %; de una cola: ahora (oscuro), llenado máximo (marca) y tamaño</translation>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>ajustado</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>no ajustado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dimension(s)</source>
+        <translation>
+            <numerusform>%n cota</numerusform>
+            <numerusform>%n cotas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>DT %1</translation>
+    </message>
+    <message>
+        <source>99 % UCL %1</source>
+        <translation>LCS 99 % %1</translation>
+    </message>
+    <message>
+        <source>Consumers</source>
+        <translation>Consumidores</translation>
+    </message>
+    <message>
+        <source>in the queue now</source>
+        <translation>ahora en la cola</translation>
+    </message>
+    <message>
+        <source>highest fill, of how many places</source>
+        <translation>máximo llenado, de cuántos lugares</translation>
+    </message>
+    <message>
+        <source>mean time, SD standard deviation, UCL upper limit of its 99 % confidence interval</source>
+        <translation>tiempo medio, DT desviación típica, LCS límite superior de su intervalo de confianza del 99 %</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::PlateView</name>
+    <message>
+        <source>no picture yet</source>
+        <translation>aún sin imagen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rechazada</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins</source>
+        <translation>%1 de %2 pasadores</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Cámara %1: %2</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>no pin here</source>
+        <translation>sin pasador</translation>
+    </message>
+    <message>
+        <source>not found: %1</source>
+        <translation>no encontrados: %1</translation>
     </message>
 </context>
 <context>
@@ -2621,14 +3938,6 @@
         <translation>Medido</translation>
     </message>
     <message>
-        <source>Rails that may be laid over each other</source>
-        <translation>Carriles que pueden superponerse</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Cota</translation>
-    </message>
-    <message>
         <source>Single profiles</source>
         <translation>Perfiles individuales</translation>
     </message>
@@ -2653,14 +3962,6 @@
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>Export values and ranges as CSV</source>
-        <translation>Exportar valores y rangos como CSV</translation>
-    </message>
-    <message>
-        <source>Values over the length</source>
-        <translation>Valores a lo largo</translation>
-    </message>
-    <message>
         <source>as Fig. 9a</source>
         <translation>como Fig. 9a</translation>
     </message>
@@ -2669,52 +3970,8 @@
         <translation>Rango de las pasadas</translation>
     </message>
     <message>
-        <source>as Fig. 9b</source>
-        <translation>como Fig. 9b</translation>
-    </message>
-    <message>
         <source>Values of every run over the length</source>
         <translation>Valores de cada pasada a lo largo</translation>
-    </message>
-    <message>
-        <source>Range of the runs over the length</source>
-        <translation>Rango de las pasadas a lo largo</translation>
-    </message>
-    <message>
-        <source>Mean range</source>
-        <translation>Rango medio</translation>
-    </message>
-    <message>
-        <source>per 10 m, as Table VI</source>
-        <translation>por 10 m, como Tabla VI</translation>
-    </message>
-    <message>
-        <source>From – to, m</source>
-        <translation>De – a, m</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Posiciones</translation>
-    </message>
-    <message>
-        <source>Mean range, section by section</source>
-        <translation>Rango medio, tramo a tramo</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Cifras</translation>
-    </message>
-    <message>
-        <source>Figures of the study</source>
-        <translation>Cifras del estudio</translation>
-    </message>
-    <message>
-        <source>Runs come from the archive, and there is none: %1. Start the program with --archive FILE.</source>
-        <translation>Las pasadas vienen del archivo y no hay ninguno: %1. Inicie el programa con --archive FILE.</translation>
-    </message>
-    <message>
-        <source>At least 2 runs of the same rail are needed, %1 chosen; the paper took 5.</source>
-        <translation>Se necesitan al menos 2 pasadas del mismo carril, %1 elegidas; el artículo usó 5.</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -2723,10 +3980,6 @@
     <message>
         <source>No rail has been kept yet. Runs of the same rail are compared here.</source>
         <translation>Aún no se ha guardado ningún carril. Aquí se comparan pasadas del mismo carril.</translation>
-    </message>
-    <message>
-        <source>Tick the runs that were made of the same rail, choose a dimension and compare.</source>
-        <translation>Marque las pasadas del mismo carril, elija una cota y compare.</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -2741,60 +3994,351 @@
         <translation>rango, %1</translation>
     </message>
     <message>
-        <source>Runs, positions</source>
-        <translation>Pasadas, posiciones</translation>
-    </message>
-    <message>
-        <source>Repeatability s_r</source>
-        <translation>Repetibilidad s_r</translation>
-    </message>
-    <message>
-        <source>its 95 % interval</source>
-        <translation>su intervalo del 95 %</translation>
-    </message>
-    <message>
-        <source>Limit r = 2.8 s_r</source>
-        <translation>Límite r = 2,8 s_r</translation>
-    </message>
-    <message>
-        <source>Largest range</source>
-        <translation>Rango mayor</translation>
-    </message>
-    <message>
-        <source>s from the range</source>
-        <translation>s por el rango</translation>
-    </message>
-    <message>
-        <source>Autocorrelation</source>
-        <translation>Autocorrelación</translation>
-    </message>
-    <message>
-        <source>%1, critical %2 (1 %)</source>
-        <translation>%1, crítico %2 (1 %)</translation>
-    </message>
-    <message>
-        <source>Grubbs, means of the runs</source>
-        <translation>Grubbs, medias de las pasadas</translation>
-    </message>
-    <message>
-        <source>Cochran, scatter of the runs</source>
-        <translation>Cochran, dispersión de las pasadas</translation>
-    </message>
-    <message>
-        <source>, %1 positions left out: a run lacks them</source>
-        <translation>, %1 posiciones omitidas: faltan en una pasada</translation>
-    </message>
-    <message>
         <source>Export as CSV</source>
         <translation>Exportar como CSV</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 está escrito</translation>
+        <source>truth of the virtual rig</source>
+        <translation>verdad del equipo virtual</translation>
+    </message>
+    <message numerus="yes">
+        <source>The inspections were cancelled; %n were whole.</source>
+        <translation>
+            <numerusform>Las inspecciones se cancelaron; %n quedó completa.</numerusform>
+            <numerusform>Las inspecciones se cancelaron; %n quedaron completas.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 no se puede escribir</translation>
+        <source>Runs of one rail</source>
+        <translation>Pasadas de un carril</translation>
+    </message>
+    <message>
+        <source>Reference values</source>
+        <translation>Valores de referencia</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Informe en PDF</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Exactitud</translation>
+    </message>
+    <message>
+        <source>Rails of the archive</source>
+        <translation>Carriles del archivo</translation>
+    </message>
+    <message>
+        <source>Runs from a file</source>
+        <translation>Pasadas de un CSV</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>Equipo virtual</translation>
+    </message>
+    <message>
+        <source>Where the runs come from</source>
+        <translation>De dónde vienen las pasadas</translation>
+    </message>
+    <message>
+        <source>3 m of rail</source>
+        <translation>3 m de carril</translation>
+    </message>
+    <message>
+        <source>12 m of rail</source>
+        <translation>12 m de carril</translation>
+    </message>
+    <message>
+        <source>60 m of rail, as the paper</source>
+        <translation>60 m de carril, como el artículo</translation>
+    </message>
+    <message>
+        <source>Length of the virtual rail</source>
+        <translation>Longitud del carril virtual</translation>
+    </message>
+    <message>
+        <source>Means over 0.5 m</source>
+        <translation>Medias sobre 0,5 m</translation>
+    </message>
+    <message>
+        <source>Runs that may be laid over each other</source>
+        <translation>Pasadas que pueden superponerse</translation>
+    </message>
+    <message>
+        <source>Open runs…</source>
+        <translation>Abrir pasadas…</translation>
+    </message>
+    <message>
+        <source>Open runs from a CSV file</source>
+        <translation>Abrir pasadas de un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>Abrir referencia…</translation>
+    </message>
+    <message>
+        <source>Open reference values from a CSV file</source>
+        <translation>Abrir valores de referencia de un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Report as PDF (Ctrl+P)</source>
+        <translation>Informe en PDF (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>Export values as CSV</source>
+        <translation>Exportar los valores como CSV</translation>
+    </message>
+    <message>
+        <source>Export values as CSV (Ctrl+E)</source>
+        <translation>Exportar los valores como CSV (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>Progress of the inspections</source>
+        <translation>Progreso de las inspecciones</translation>
+    </message>
+    <message>
+        <source>What the runs differ by over the length</source>
+        <translation>En qué difieren las pasadas a lo largo</translation>
+    </message>
+    <message>
+        <source>Every dimension; the chosen one is drawn</source>
+        <translation>Cada cota; se dibuja la elegida</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Figures of the chosen dimension, formulas and constants</source>
+        <translation>Cifras de la cota elegida, fórmulas y constantes</translation>
+    </message>
+    <message>
+        <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
+        <translation>Las pasadas guardadas vienen del archivo y no hay ninguno (%1): inicie el programa con --archive FILE, o elija arriba un archivo CSV o el equipo virtual.</translation>
+    </message>
+    <message>
+        <source>virtual rig</source>
+        <translation>equipo virtual</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>pasada %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Inspect the rail five times</source>
+        <translation>Inspeccionar el carril cinco veces</translation>
+    </message>
+    <message>
+        <source>Cancel the inspections</source>
+        <translation>Cancelar las inspecciones</translation>
+    </message>
+    <message>
+        <source>Inspect the same virtual rail five times</source>
+        <translation>Inspeccionar cinco veces el mismo carril virtual</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R)</source>
+        <translation>Pare antes la línea (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
+        <translation>Pare antes la línea (Ctrl+R): ambas necesitan todos los procesadores y un estudio no debe costar ningún disparo.</translation>
+    </message>
+    <message>
+        <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
+        <translation>La exactitud necesita una referencia: abra un CSV con las columnas dimension, position_m, value y, si se conoce, u.</translation>
+    </message>
+    <message>
+        <source>At least 1 run is needed, none is chosen.</source>
+        <translation>Se necesita al menos 1 pasada; no hay ninguna elegida.</translation>
+    </message>
+    <message>
+        <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
+        <translation>Se necesitan al menos 2 pasadas del mismo carril, elegidas: %1; elija %2 más. El artículo tomó 5.</translation>
+    </message>
+    <message>
+        <source>stored rails, same rail and gauge</source>
+        <translation>carriles guardados, mismo carril y medidor</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>archivo %1</translation>
+    </message>
+    <message>
+        <source>virtual rig, exact calibration, other wander, vibration, scale, speckle and noise in every run</source>
+        <translation>equipo virtual, calibración exacta, otro desvío, vibración, cascarilla, moteado y ruido en cada pasada</translation>
+    </message>
+    <message>
+        <source>The same rail is inspected five times …</source>
+        <translation>El mismo carril se inspecciona cinco veces …</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Condiciones: %1.</translation>
+    </message>
+    <message>
+        <source>Tick the runs that were made of the same rail and compare.</source>
+        <translation>Marque las pasadas hechas con el mismo carril y compare.</translation>
+    </message>
+    <message>
+        <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
+        <translation>Un CSV con las columnas run, position_m y las cotas, como lo escribe inspect --csv.</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors.</source>
+        <translation>Pare antes la línea (Ctrl+R): ambas necesitan todos los procesadores.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>El experimento del artículo: un carril, cinco inspecciones, verdad conocida.</translation>
+    </message>
+    <message>
+        <source>No runs are compared yet</source>
+        <translation>Aún no se comparan pasadas</translation>
+    </message>
+    <message>
+        <source>%1 over the length</source>
+        <translation>%1 a lo largo</translation>
+    </message>
+    <message>
+        <source>largest minus smallest at each position, as Fig. 9b</source>
+        <translation>máximo menos mínimo en cada posición, como la Fig. 9b</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>esperado</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>límite inferior</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>límite superior</translation>
+    </message>
+    <message>
+        <source>mean of %1 m</source>
+        <translation>media de %1 m</translation>
+    </message>
+    <message>
+        <source>Error of %1 over the length</source>
+        <translation>Error de %1 a lo largo</translation>
+    </message>
+    <message>
+        <source>value minus reference, mean of the runs; %1</source>
+        <translation>valor menos referencia, media de las pasadas; %1</translation>
+    </message>
+    <message>
+        <source>value minus reference</source>
+        <translation>valor menos referencia</translation>
+    </message>
+    <message>
+        <source>Largest error at each position</source>
+        <translation>Error máximo en cada posición</translation>
+    </message>
+    <message>
+        <source>of any run</source>
+        <translation>entre pasadas</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>máximo</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>sin error</translation>
+    </message>
+    <message>
+        <source>limit of agreement</source>
+        <translation>límite de concordancia</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>error, %1</translation>
+    </message>
+    <message>
+        <source>Dim.</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>% T</source>
+        <translation>% T</translation>
+    </message>
+    <message>
+        <source>Mean range per %1 m</source>
+        <translation>Rango medio por %1 m</translation>
+    </message>
+    <message>
+        <source>as Table VI</source>
+        <translation>como Tabla VI</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI; the stretches are in the report</source>
+        <translation>%1, como Tabla VI; los tramos están en el informe</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI</source>
+        <translation>%1, como Tabla VI</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>sesgo</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errores</translation>
+    </message>
+    <message>
+        <source>%1, as Table V</source>
+        <translation>%1, como Tabla V</translation>
+    </message>
+    <message>
+        <source>as Table V</source>
+        <translation>como Tabla V</translation>
+    </message>
+    <message>
+        <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
+        <translation>Aquí aparecen veredicto, cifras, fórmulas y constantes cuando se comparan pasadas.</translation>
+    </message>
+    <message>
+        <source>figures of %1</source>
+        <translation>cifras de %1</translation>
+    </message>
+    <message>
+        <source>writing …</source>
+        <translation>escribiendo …</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 está escrito.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 no se puede escribir.</translation>
     </message>
 </context>
 <context>
@@ -2967,10 +4511,6 @@
         <translation>en curso</translation>
     </message>
     <message>
-        <source>inside</source>
-        <translation>dentro</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
     </message>
@@ -3102,10 +4642,6 @@
         <translation>No se guarda nada. Los carriles en directo solo se ven en Monitor.</translation>
     </message>
     <message>
-        <source>kept: %1 rails, %2 profiles waiting</source>
-        <translation>guardados: %1 carriles, %2 perfiles en espera</translation>
-    </message>
-    <message>
         <source>; %1 profiles lost</source>
         <translation>; %1 perfiles perdidos</translation>
     </message>
@@ -3116,6 +4652,18 @@
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
         <translation>No se puede escribir: %1. Lo que pasa espera en memoria.</translation>
+    </message>
+    <message>
+        <source>kept since the start: %1 rails; %2 profiles wait</source>
+        <translation>guardados desde el inicio: %1 carriles; %2 perfiles esperan</translation>
+    </message>
+    <message>
+        <source>nearest to a limit, inside</source>
+        <translation>el más cercano a un límite, dentro</translation>
+    </message>
+    <message>
+        <source>furthest beyond a limit, mm</source>
+        <translation>lo más lejos tras un límite, mm</translation>
     </message>
 </context>
 <context>
@@ -3358,12 +4906,744 @@
         <source>%1 is written</source>
         <translation>%1 está escrito</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>Sección…</translation>
+    </message>
+    <message>
+        <source>Draw the section, or bring one along from a drawing</source>
+        <translation>Dibujar la sección o traerla de un plano</translation>
+    </message>
+    <message>
+        <source>What if…</source>
+        <translation>Y si…</translation>
+    </message>
+    <message>
+        <source>Judge stored rails by the chosen recipe</source>
+        <translation>Juzgar los carriles guardados con la receta elegida</translation>
+    </message>
+    <message>
+        <source>Use for the next rail</source>
+        <translation>Usar desde el próximo</translation>
+    </message>
+    <message>
+        <source>Use the chosen recipe for the next rail</source>
+        <translation>Usar la receta elegida para el próximo carril</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Parameters of dimensions and settings of the stages</source>
+        <translation>Parámetros de las cotas y ajustes de las etapas</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen recipe</source>
+        <translation>Ajustes de la receta elegida</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Name of the draft; another name makes a copy</source>
+        <translation>Nombre del borrador; otro nombre hace una copia</translation>
+    </message>
+    <message>
+        <source>On the line: %1 v%2.</source>
+        <translation>En la línea: %1 v%2.</translation>
+    </message>
+    <message>
+        <source>From the next rail: %1.</source>
+        <translation>Desde el próximo carril: %1.</translation>
+    </message>
+    <message>
+        <source>Only an approved recipe is measured with.</source>
+        <translation>Solo se mide con una receta aprobada.</translation>
+    </message>
+    <message>
+        <source>%1: the value is not of its kind.</source>
+        <translation>%1: el valor no es del tipo debido.</translation>
+    </message>
+    <message>
+        <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
+        <translation>%1 v%2 rige desde el próximo carril; el carril en el medidor conserva aquello con lo que empezó.</translation>
+    </message>
+    <message>
+        <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
+        <translation>«Y si» necesita al menos %1 carriles guardados de la sección %2 y hay %3: mida antes más.</translation>
+    </message>
+    <message>
+        <source>Recipes are read, drafts cannot be kept: %1.</source>
+        <translation>Las recetas se leen, los borradores no se pueden guardar: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ReferencePanel</name>
+    <message>
+        <source>Reference piece</source>
+        <translation>Pieza de referencia</translation>
+    </message>
+    <message>
+        <source>Certificate and gauge</source>
+        <translation>Certificado y medidor</translation>
+    </message>
+    <message>
+        <source>Profiles that are averaged</source>
+        <translation>Perfiles que se promedian</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Progreso de la comprobación</translation>
+    </message>
+    <message>
+        <source>Measure the piece</source>
+        <translation>Medir la pieza</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Cancelado: nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
+        <translation>Cerrado mientras la línea mide: la pieza está donde pasa el carril. Pare la línea para continuar.</translation>
+    </message>
+    <message>
+        <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
+        <translation>Se coloca en el medidor una sección con certificado y se mide con la calibración vigente. En el equipo virtual es una pieza virtual cuya verdad es su certificado (U = 2 µm).</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Midiendo…</translation>
+    </message>
+    <message>
+        <source>Next: measure the piece.</source>
+        <translation>Siguiente: mida la pieza.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
+        <translation>
+            <numerusform>El medidor concuerda con el certificado en todas las cotas, con %n perfil.</numerusform>
+            <numerusform>El medidor concuerda con el certificado en todas las cotas, con %n perfiles.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
+        <translation>El medidor no concuerda con el certificado. Siguiente: limpie la pieza y mida de nuevo; si persiste, calibre los telémetros.</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>Certificado %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Medido %1</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Desviación</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Deviation over U</source>
+        <translation>Desviación / U</translation>
+    </message>
+    <message>
+        <source>%1, differs</source>
+        <translation>%1, difiere</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>sin medir: %1</translation>
+    </message>
 </context>
 <context>
     <name>vignole::ReplayCanvas</name>
     <message>
         <source>Profile of the stored rail</source>
         <translation>Perfil del carril guardado</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Cancelando…</translation>
+    </message>
+    <message>
+        <source>Range finders</source>
+        <translation>Telémetros</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Qué significa</translation>
+    </message>
+    <message>
+        <source>Fit to the pins</source>
+        <translation>Ajuste a los pasadores</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Preparar</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Calcular</translation>
+    </message>
+    <message>
+        <source>Pins found (Fig. 8d)</source>
+        <translation>Pasadores hallados (Fig. 8d)</translation>
+    </message>
+    <message>
+        <source>circles: the pins as found; points: the lines of the first placement</source>
+        <translation>círculos: los pasadores hallados; puntos: las líneas de la primera colocación</translation>
+    </message>
+    <message>
+        <source>Pins in the world</source>
+        <translation>Pasadores en el espacio</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Controles</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Poner en vigor</translation>
+    </message>
+    <message>
+        <source>How often the plate is put down: four find an error of the plate as well.</source>
+        <translation>Cuántas veces se coloca la placa: con cuatro se halla también un error de la placa.</translation>
+    </message>
+    <message>
+        <source>Number of placements</source>
+        <translation>Número de colocaciones</translation>
+    </message>
+    <message>
+        <source>The virtual plate, for training</source>
+        <translation>La placa virtual, para formación</translation>
+    </message>
+    <message>
+        <source>is as its certificate says</source>
+        <translation>es como dice su certificado</translation>
+    </message>
+    <message>
+        <source>is the mirror image of its file</source>
+        <translation>es la imagen especular de su archivo</translation>
+    </message>
+    <message>
+        <source>is not the one of the certificate</source>
+        <translation>no es la del certificado</translation>
+    </message>
+    <message>
+        <source>has lost pin 4</source>
+        <translation>perdió el pasador 4</translation>
+    </message>
+    <message>
+        <source>Virtual plate</source>
+        <translation>Placa virtual</translation>
+    </message>
+    <message>
+        <source>Plate to the right, mm</source>
+        <translation>Placa a la derecha, mm</translation>
+    </message>
+    <message>
+        <source>Plate up, mm</source>
+        <translation>Placa arriba, mm</translation>
+    </message>
+    <message>
+        <source>Plate turned anticlockwise, degrees</source>
+        <translation>Placa girada en sentido antihorario, grados</translation>
+    </message>
+    <message>
+        <source>Plate tilted out of the light, degrees</source>
+        <translation>Placa inclinada fuera de la luz, grados</translation>
+    </message>
+    <message>
+        <source>tilt </source>
+        <translation>incl. </translation>
+    </message>
+    <message>
+        <source>Place as shown</source>
+        <translation>Colocar como se ve</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Take again</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Cerrado mientras la línea mide</translation>
+    </message>
+    <message>
+        <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>La placa está donde pasa el carril y las cámaras hacen falta. Pare la línea para continuar; lo tomado hasta ahora se conserva.</translation>
+    </message>
+    <message>
+        <source>To be repeated after so many days (0: never)</source>
+        <translation>Repetir tras estos días (0: nunca)</translation>
+    </message>
+    <message>
+        <source>Days after which the calibration is to be repeated</source>
+        <translation>Días tras los que debe repetirse la calibración</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>Reason for the new calibration</source>
+        <translation>Motivo de la calibración nueva</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Progreso del cálculo</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Centre (CD)</source>
+        <translation>Centro (CD)</translation>
+    </message>
+    <message>
+        <source>Radius (RD)</source>
+        <translation>Radio (RD)</translation>
+    </message>
+    <message>
+        <source>Points (PD)</source>
+        <translation>Puntos (PD)</translation>
+    </message>
+    <message>
+        <source>Table IV: fit to the pins</source>
+        <translation>Tabla IV: ajuste a los pasadores</translation>
+    </message>
+    <message>
+        <source>Checks of the new calibration</source>
+        <translation>Controles de la calibración nueva</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión. Inicie el programa con el equipo virtual.</translation>
+    </message>
+    <message>
+        <source>Four cameras together…</source>
+        <translation>Cuatro cámaras juntas…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Cancelado: nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>%1 is in force: the line measures with it from the next rail on.</source>
+        <translation>%1 está vigente: la línea mide con ella desde el próximo carril.</translation>
+    </message>
+    <message>
+        <source>Report of the calibration</source>
+        <translation>Informe de la calibración</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>turned and moved</source>
+        <translation>girada y desplazada</translation>
+    </message>
+    <message>
+        <source>turned 180°</source>
+        <translation>girada 180°</translation>
+    </message>
+    <message>
+        <source>moved %1 mm</source>
+        <translation>desplazada %1 mm</translation>
+    </message>
+    <message>
+        <source>as drawn, 0°</source>
+        <translation>según dibujo, 0°</translation>
+    </message>
+    <message>
+        <source>plate and cameras</source>
+        <translation>placa y cámaras</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>Colocación %1</translation>
+    </message>
+    <message>
+        <source>four cameras together</source>
+        <translation>cuatro cámaras juntas</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>old and new</source>
+        <translation>antigua y nueva</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>reason and signature</source>
+        <translation>motivo y firma</translation>
+    </message>
+    <message>
+        <source>placement %1 of %2</source>
+        <translation>colocación %1 de %2</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) en %1</translation>
+    </message>
+    <message>
+        <source>mean / max in %1</source>
+        <translation>media / máx en %1</translation>
+    </message>
+    <message>
+        <source>Plate, %1</source>
+        <translation>Placa, %1</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>%1, U = 3 µm, pins towards the cameras</source>
+        <translation>%1, U = 3 µm, pasadores hacia las cámaras</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens as calibrated in this session</source>
+        <translation>Cámara %1: objetivo calibrado en esta sesión</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens of the calibration in force</source>
+        <translation>Cámara %1: objetivo de la calibración vigente</translation>
+    </message>
+    <message>
+        <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
+
+%1</source>
+        <translation>La placa con 13 pasadores se coloca en el medidor donde pasa el carril, con los pasadores hacia las cámaras, y se gira y desplaza entre las imágenes. Nada se aplica antes de que se hayan comparado la antigua y la nueva y usted lo confirme.
+
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes the place of %2 from the next rail on. Both are kept and can be compared and put back.</source>
+        <translation>%1 sustituye a %2 desde el próximo carril. Ambas se guardan y pueden compararse y volver a ponerse en vigor.</translation>
+    </message>
+    <message>
+        <source>could not be asked</source>
+        <translation>no se pudo comprobar</translation>
+    </message>
+    <message>
+        <source>%1, within %2</source>
+        <translation>%1, dentro de %2</translation>
+    </message>
+    <message>
+        <source>%1, above %2</source>
+        <translation>%1, sobre %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 arriba</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 abajo</translation>
+    </message>
+    <message>
+        <source>turned by %1° anticlockwise</source>
+        <translation>girar %1° en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>turned by %1° clockwise</source>
+        <translation>girar %1° en sentido horario</translation>
+    </message>
+    <message>
+        <source>Next: move the plate to the dashed outlines: %1.</source>
+        <translation>Siguiente: mueva la placa a los contornos discontinuos: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Next: put the plate into the gauge.</source>
+        <translation>Siguiente: coloque la placa en el medidor.</translation>
+    </message>
+    <message>
+        <source>First placement</source>
+        <translation>Primera colocación</translation>
+    </message>
+    <message>
+        <source>Next placement</source>
+        <translation>Colocación siguiente</translation>
+    </message>
+    <message>
+        <source>Looking at the plate…</source>
+        <translation>Mirando la placa…</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Cámara %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins found</source>
+        <translation>%1 de %2 pasadores hallados</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n picture(s) refused</source>
+        <translation>
+            <numerusform>, %n imagen rechazada</numerusform>
+            <numerusform>, %n imágenes rechazadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All four cameras see the plate where it must lie. Next: “%1”.</source>
+        <translation>Las cuatro cámaras ven la placa donde debe estar. Siguiente: «%1».</translation>
+    </message>
+    <message>
+        <source>The poses of four cameras are found together with the pins.</source>
+        <translation>Las posiciones de las cuatro cámaras se calculan junto con los pasadores.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the comparison comes by itself.</source>
+        <translation>Siguiente: nada que hacer; la comparación llega sola.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be put in force.</source>
+        <translation>Rechazada: no puede ponerse en vigor.</translation>
+    </message>
+    <message>
+        <source>May be used: every check is within its limit.</source>
+        <translation>Puede usarse: cada control está dentro de su límite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>May be used, but %n dimension(s) get more than is allowed.</source>
+        <translation>
+            <numerusform>Puede usarse, pero %n cota supera lo admitido.</numerusform>
+            <numerusform>Puede usarse, pero %n cotas superan lo admitido.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
+        <translation>Siguiente: compare a la derecha la antigua y la nueva. Nada se aplica antes de que usted confirme.</translation>
+    </message>
+    <message>
+        <source>Done. Next: start the line and watch the first rail.</source>
+        <translation>Hecho. Siguiente: inicie la línea y observe el primer carril.</translation>
+    </message>
+    <message>
+        <source>Next: give the reason and put it in force.</source>
+        <translation>Siguiente: dé el motivo y póngala en vigor.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDialog</name>
+    <message>
+        <source>Drawing of a section</source>
+        <translation>Plano de una sección</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Section with its primitives named</source>
+        <translation>Sección con los nombres de sus primitivas</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Longitud, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Radio, mm</translation>
+    </message>
+    <message>
+        <source>Primitives of the section</source>
+        <translation>Primitivas de la sección</translation>
+    </message>
+    <message>
+        <source>Name of the section</source>
+        <translation>Nombre de la sección</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Profile and straightness class of its recipe</source>
+        <translation>Clase de perfil y rectitud de su receta</translation>
+    </message>
+    <message>
+        <source>Open a drawing…</source>
+        <translation>Abrir un plano…</translation>
+    </message>
+    <message>
+        <source>Open a drawing of a section</source>
+        <translation>Abrir el plano de una sección</translation>
+    </message>
+    <message>
+        <source>Make a draft of it</source>
+        <translation>Hacer borrador</translation>
+    </message>
+    <message>
+        <source>Keep the section and make a draft of it</source>
+        <translation>Guardar la sección y hacer un borrador de ella</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could be drawn.</source>
+        <translation>En este archivo no hay nada que pueda dibujarse.</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Rechazado: %1</translation>
+    </message>
+    <message>
+        <source>QA makes drafts: sign in.</source>
+        <translation>Los borradores los hace calidad: inicie sesión.</translation>
+    </message>
+    <message>
+        <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
+        <translation>Abra un plano: un contorno cerrado de líneas y arcos, el carril de pie.</translation>
+    </message>
+    <message>
+        <source>DXF, JSON or a MiniProf design</source>
+        <translation>DXF, JSON o un diseño MiniProf</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 mm high, %2 cm², %3 kg/m, %4; %n primitive(s)</source>
+        <translation>
+            <numerusform>%1 mm de alto, %2 cm², %3 kg/m, %4; %n primitiva</numerusform>
+            <numerusform>%1 mm de alto, %2 cm², %3 kg/m, %4; %n primitivas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>simétrica</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>asimétrica</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>arco</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>segmento</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
+        <translation>Un nombre tiene letras, cifras, espacios, puntos y guiones: será el nombre de un archivo.</translation>
+    </message>
+    <message>
+        <source>%1 is a section of the catalogue: give yours another name.</source>
+        <translation>%1 es una sección del catálogo: dé otro nombre a la suya.</translation>
+    </message>
+    <message>
+        <source>There is another section of the name %1: give a new name.</source>
+        <translation>Ya hay otra sección con el nombre %1: dé un nombre nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDrawing</name>
+    <message>
+        <source>free end</source>
+        <translation>extremo libre</translation>
+    </message>
+    <message>
+        <source>open here: %1 mm</source>
+        <translation>abierto aquí: %1 mm</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +5843,13 @@ Se guardan %2 carriles.</translation>
     </message>
 </context>
 <context>
+    <name>vignole::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Paso %1 de %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>vignole::StripChart</name>
     <message>
         <source>%1 along the rail: %2</source>
@@ -3607,101 +5894,29 @@ Se guardan %2 carriles.</translation>
         <source>no picture yet</source>
         <translation>aún sin imagen</translation>
     </message>
+    <message>
+        <source>upper left</source>
+        <translation>arriba izq.</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>arriba dcha.</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>abajo dcha.</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>abajo izq.</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
 </context>
 <context>
     <name>vignole::StripesPage</name>
-    <message>
-        <source>Line extraction</source>
-        <translation>Extracción de línea</translation>
-    </message>
-    <message>
-        <source>Smoothing σ</source>
-        <translation>Suavizado σ</translation>
-    </message>
-    <message>
-        <source>Low threshold t_l</source>
-        <translation>Umbral bajo t_l</translation>
-    </message>
-    <message>
-        <source>High threshold t_h</source>
-        <translation>Umbral alto t_h</translation>
-    </message>
-    <message>
-        <source>Link distance d</source>
-        <translation>Distancia de enlace d</translation>
-    </message>
-    <message>
-        <source>Link angle α</source>
-        <translation>Ángulo de enlace α</translation>
-    </message>
-    <message>
-        <source>%1 on trial</source>
-        <translation>%1 a prueba</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>En uso</translation>
-    </message>
-    <message>
-        <source>On trial</source>
-        <translation>A prueba</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Diferencia</translation>
-    </message>
-    <message>
-        <source>In use against on trial</source>
-        <translation>En uso frente a prueba</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Guardar imagen…</translation>
-    </message>
-    <message>
-        <source>Save the picture of the chosen camera</source>
-        <translation>Guardar la imagen de la cámara elegida</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Discard what is on trial</source>
-        <translation>Descartar lo que está a prueba</translation>
-    </message>
-    <message>
-        <source>Use from next start</source>
-        <translation>Usar desde el próximo inicio</translation>
-    </message>
-    <message>
-        <source>Use what is on trial from the next start of the line</source>
-        <translation>Usar lo probado desde el próximo inicio de la línea</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Motivo</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>Motivo del cambio</translation>
-    </message>
-    <message>
-        <source>Live again</source>
-        <translation>Otra vez en directo</translation>
-    </message>
-    <message>
-        <source>Freeze</source>
-        <translation>Congelar</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures</source>
-        <translation>Congelar las imágenes</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures (P)</source>
-        <translation>Congelar las imágenes (P)</translation>
-    </message>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
         <translation>Lo que se prueba actúa solo en estas imágenes hasta que se aplica.</translation>
@@ -3709,14 +5924,6 @@ Se guardan %2 carriles.</translation>
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
         <translation>Cualquiera puede probar; aplica un técnico con sesión iniciada.</translation>
-    </message>
-    <message>
-        <source>lost: %1</source>
-        <translation>perdida: %1</translation>
-    </message>
-    <message>
-        <source>held, %1 old</source>
-        <translation>retenido, hace %1</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3735,48 +5942,213 @@ Se guardan %2 carriles.</translation>
         <translation>Un cambio de la medición necesita un motivo.</translation>
     </message>
     <message>
-        <source>Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what it began with.</source>
-        <translation>Se usa desde el próximo inicio de la línea (Ctrl+R para e inicia); el carril en curso conserva lo que tenía.</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Puntos</translation>
-    </message>
-    <message>
-        <source>Saturated, %</source>
-        <translation>Saturado, %</translation>
-    </message>
-    <message>
-        <source>Uncertainty, px</source>
-        <translation>Incertidumbre, px</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Tiempo, ms</translation>
-    </message>
-    <message>
-        <source>Mean shift, px</source>
-        <translation>Desplaz. medio, px</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Guardar la imagen</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 está escrito</translation>
+        <source>Lost: %1</source>
+        <translation>Perdida: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 no se puede escribir</translation>
+        <source>Held</source>
+        <translation>Retenido</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Cámara %1</translation>
+        <source>The line has not been started (Ctrl+R).</source>
+        <translation>La línea no se ha iniciado (Ctrl+R).</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>hace %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is no longer held: the last %n are.</source>
+        <translation>
+            <numerusform>La imagen ya no se conserva: solo la última (%n).</numerusform>
+            <numerusform>La imagen ya no se conserva: solo las últimas %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Sin imagen: %1</translation>
+    </message>
+    <message>
+        <source>Pictures behind the profile at %1 m.</source>
+        <translation>Imágenes del perfil en %1 m.</translation>
+    </message>
+    <message>
+        <source>Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Espera al próximo carril; el carril en curso conserva aquello con lo que empezó.</translation>
+    </message>
+    <message>
+        <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
+        <translation>No hay archivo, así que el cambio no pudo registrarse: no se cambió nada.</translation>
+    </message>
+    <message>
+        <source>The change is being recorded…</source>
+        <translation>Registrando el cambio…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, because it could not be recorded: %1</source>
+        <translation>No se cambió nada, porque no se pudo registrar: %1</translation>
+    </message>
+    <message>
+        <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
+        <translation>Registrado. La exposición cambia con el próximo inicio de la línea; los parámetros, con el próximo carril.</translation>
+    </message>
+    <message>
+        <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Registrado. Espera al próximo carril; el carril en curso conserva aquello con lo que empezó.</translation>
+    </message>
+    <message>
+        <source>Camera %1 has no picture to save.</source>
+        <translation>La cámara %1 no tiene imagen que guardar.</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Guardando %1…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 está escrito.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 no se puede escribir: %2</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::StudyPanel</name>
+    <message>
+        <source>Parameter study</source>
+        <translation>Estudio de parámetros</translation>
+    </message>
+    <message>
+        <source>Main effects</source>
+        <translation>Efectos principales</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveles</translation>
+    </message>
+    <message>
+        <source>Settings and their levels</source>
+        <translation>Ajustes y sus niveles</translation>
+    </message>
+    <message>
+        <source>Influence of each setting</source>
+        <translation>Influencia de cada ajuste</translation>
+    </message>
+    <message>
+        <source>Placements of the plate</source>
+        <translation>Colocaciones de la placa</translation>
+    </message>
+    <message>
+        <source>Placements of the plate for the study</source>
+        <translation>Colocaciones de la placa para el estudio</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Progreso del estudio</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>Iniciar el estudio</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>settings and levels</source>
+        <translation>ajustes y niveles</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Cancelado: nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation>Informe del estudio</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
+        <translation>Cerrado mientras la línea mide: la placa está donde pasa el carril. Pare la línea para continuar.</translation>
+    </message>
+    <message>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>Cada combinación de los niveles es una calibración por el método del artículo con imágenes de la placa. Los niveles se separan con comas; un nivel o ninguno: el ajuste no se varía.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Calculando…</translation>
+    </message>
+    <message>
+        <source>Next: choose levels and start.</source>
+        <translation>Siguiente: elija niveles e inicie.</translation>
+    </message>
+    <message>
+        <source>Exposure, ms</source>
+        <translation>Exposición, ms</translation>
+    </message>
+    <message>
+        <source>Smoothing σ, px</source>
+        <translation>Suavizado σ, px</translation>
+    </message>
+    <message>
+        <source>Ellipses a pin</source>
+        <translation>Elipses por pasador</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SupportBundle</name>
+    <message>
+        <source>is there already</source>
+        <translation>ya existe</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>no se puede crear</translation>
+    </message>
+    <message>
+        <source>cancelled: nothing is left of it</source>
+        <translation>cancelado: no queda nada de él</translation>
     </message>
 </context>
 <context>
@@ -3815,6 +6187,181 @@ Se guardan %2 carriles.</translation>
     <message>
         <source>Begin</source>
         <translation>Empezar</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::TrialPanel</name>
+    <message>
+        <source>Line extraction</source>
+        <translation>Extracción de línea</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Suavizado</translation>
+    </message>
+    <message>
+        <source>Low threshold</source>
+        <translation>Umbral bajo</translation>
+    </message>
+    <message>
+        <source>High threshold</source>
+        <translation>Umbral alto</translation>
+    </message>
+    <message>
+        <source>Link distance</source>
+        <translation>Dist. de enlace</translation>
+    </message>
+    <message>
+        <source>Link angle</source>
+        <translation>Áng. de enlace</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parámetro</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>En uso</translation>
+    </message>
+    <message>
+        <source>On trial</source>
+        <translation>A prueba</translation>
+    </message>
+    <message>
+        <source>%1 on trial</source>
+        <translation>%1 a prueba</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1: menos</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1: más</translation>
+    </message>
+    <message>
+        <source>Choose camera %1</source>
+        <translation>Elegir cámara %1</translation>
+    </message>
+    <message>
+        <source>Pixels with the line in use</source>
+        <translation>Píxeles con la línea en uso</translation>
+    </message>
+    <message>
+        <source>Pixels with the line on trial</source>
+        <translation>Píxeles con la línea a prueba</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>In use against on trial</source>
+        <translation>En uso y a prueba</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Gained, lost</source>
+        <translation>Ganados, perdidos</translation>
+    </message>
+    <message>
+        <source>Saturated points</source>
+        <translation>Puntos saturados</translation>
+    </message>
+    <message>
+        <source>Uncertainty, px</source>
+        <translation>Incertidumbre, px</translation>
+    </message>
+    <message>
+        <source>Shift: mean, largest, px</source>
+        <translation>Desplaz.: media, máx., px</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Tiempo, ms</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save the picture of the chosen camera (Ctrl+S)</source>
+        <translation>Guardar la imagen de la cámara elegida (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Directo</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Congelar</translation>
+    </message>
+    <message>
+        <source>Live pictures again (P)</source>
+        <translation>Otra vez imágenes en directo (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures (P)</source>
+        <translation>Congelar las imágenes (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures</source>
+        <translation>Congelar las imágenes</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>The pictures behind the newest profile (B)</source>
+        <translation>Las imágenes del perfil más reciente (B)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Discard what is on trial</source>
+        <translation>Descartar lo que está a prueba</translation>
+    </message>
+    <message>
+        <source>Use from next rail</source>
+        <translation>Usar desde el próximo</translation>
+    </message>
+    <message>
+        <source>Use what is on trial from the next rail on</source>
+        <translation>Usar lo que está a prueba desde el próximo carril</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Motivo del cambio</translation>
+    </message>
+    <message>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>La exposición de estas cámaras no puede cambiarse desde aquí.</translation>
+    </message>
+    <message>
+        <source>camera %1, frozen</source>
+        <translation>cámara %1, congelada</translation>
+    </message>
+    <message>
+        <source>camera %1, live</source>
+        <translation>cámara %1, en directo</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>sin imagen</translation>
+    </message>
+    <message>
+        <source>nothing on trial: change a parameter</source>
+        <translation>nada a prueba: cambie un parámetro</translation>
     </message>
 </context>
 <context>
@@ -3971,6 +6518,41 @@ Se guardan %2 carriles.</translation>
     <message>
         <source>fewer than %1 rails prove little</source>
         <translation>menos de %1 carriles prueban poco</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::WorthTable</name>
+    <message>
+        <source>Dimension</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Vigente</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nueva</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Admitida</translation>
+    </message>
+    <message>
+        <source>Largest part</source>
+        <translation>Mayor aporte</translation>
+    </message>
+    <message>
+        <source>What the calibration is worth for each dimension</source>
+        <translation>Cuánto vale la calibración para cada cota</translation>
+    </message>
+    <message>
+        <source>More than the tolerance allows</source>
+        <translation>Más de lo que admite la tolerancia</translation>
+    </message>
+    <message>
+        <source>too much: %1</source>
+        <translation>demasiado: %1</translation>
     </message>
 </context>
 </TS>

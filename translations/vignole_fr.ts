@@ -1211,6 +1211,153 @@
     </message>
 </context>
 <context>
+    <name>RecipeSetting</name>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Profile class</source>
+        <translation>Classe de profil</translation>
+    </message>
+    <message>
+        <source>Straightness class</source>
+        <translation>Classe de rectitude</translation>
+    </message>
+    <message>
+        <source>RFH: distance from the axis, mm</source>
+        <translation>RFH : distance à l&apos;axe, mm</translation>
+    </message>
+    <message>
+        <source>HF: half width of the crown, mm</source>
+        <translation>HF : demi-largeur de la table, mm</translation>
+    </message>
+    <message>
+        <source>HW: depth below the crown, mm</source>
+        <translation>HW : profondeur sous la table, mm</translation>
+    </message>
+    <message>
+        <source>HWA: the AREMA depth, mm</source>
+        <translation>HWA : profondeur AREMA, mm</translation>
+    </message>
+    <message>
+        <source>FT: inside the foot edges, mm</source>
+        <translation>FT : en retrait des bords du patin, mm</translation>
+    </message>
+    <message>
+        <source>RAS: depth below the crown, mm</source>
+        <translation>RAS : profondeur sous la table, mm</translation>
+    </message>
+    <message>
+        <source>WT: height, mm (none: thinnest)</source>
+        <translation>WT : hauteur, mm (sans : au plus mince)</translation>
+    </message>
+    <message>
+        <source>Base line: inside the foot edges, mm</source>
+        <translation>Ligne de base : en retrait des bords, mm</translation>
+    </message>
+    <message>
+        <source>Line: smoothing σ, px</source>
+        <translation>Ligne : lissage σ, px</translation>
+    </message>
+    <message>
+        <source>Line: low threshold, DN</source>
+        <translation>Ligne : seuil bas, DN</translation>
+    </message>
+    <message>
+        <source>Line: high threshold, DN</source>
+        <translation>Ligne : seuil haut, DN</translation>
+    </message>
+    <message>
+        <source>Line: longest gap bridged, px</source>
+        <translation>Ligne : plus long trou comblé, px</translation>
+    </message>
+    <message>
+        <source>Line: largest angle joined, °</source>
+        <translation>Ligne : angle maximal de liaison, °</translation>
+    </message>
+    <message>
+        <source>Line: shortest kept, points</source>
+        <translation>Ligne : plus courte gardée, points</translation>
+    </message>
+    <message>
+        <source>Line: blocks before overload</source>
+        <translation>Ligne : blocs avant surcharge</translation>
+    </message>
+    <message>
+        <source>Line: pull of bends taken off</source>
+        <translation>Ligne : biais des courbures corrigé</translation>
+    </message>
+    <message>
+        <source>Registration: scale at first, mm</source>
+        <translation>Recalage : échelle initiale, mm</translation>
+    </message>
+    <message>
+        <source>Registration: scale with a start, mm</source>
+        <translation>Recalage : échelle avec départ, mm</translation>
+    </message>
+    <message>
+        <source>Registration: inlier below, mm</source>
+        <translation>Recalage : point cohérent sous, mm</translation>
+    </message>
+    <message>
+        <source>Registration: points used within, mm</source>
+        <translation>Recalage : points utilisés jusqu&apos;à, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails above rms, mm</source>
+        <translation>Recalage : échec au-dessus de rms, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails below share</source>
+        <translation>Recalage : échec sous la part</translation>
+    </message>
+    <message>
+        <source>Measuring: ends left out, mm</source>
+        <translation>Mesure : bouts écartés, mm</translation>
+    </message>
+    <message>
+        <source>Measuring: least points</source>
+        <translation>Mesure : points au minimum</translation>
+    </message>
+    <message>
+        <source>Measuring: expansion, 1/K</source>
+        <translation>Mesure : dilatation, 1/K</translation>
+    </message>
+    <message>
+        <source>Measuring: hottest rail, °C</source>
+        <translation>Mesure : rail le plus chaud, °C</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>%1: limits, mm</source>
+        <translation>%1 : limites, mm</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non jugée</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Operator</source>
@@ -1227,6 +1374,261 @@
     <message>
         <source>Administrator</source>
         <translation>Administrateur</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>no outlier</source>
+        <translation>aucune aberrante</translation>
+    </message>
+    <message>
+        <source>straggler (5 %)</source>
+        <translation>valeur isolée (5 %)</translation>
+    </message>
+    <message>
+        <source>outlier (1 %)</source>
+        <translation>valeur aberrante (1 %)</translation>
+    </message>
+    <message>
+        <source>%1: %2, critical %3 at 1 %</source>
+        <translation>%1 : %2, critique %3 à 1 %</translation>
+    </message>
+    <message>
+        <source>Mean range of the runs, mm, per %1 m (Table VI)</source>
+        <translation>Étendue moyenne des passages, mm, par %1 m (Tableau VI)</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>share of T, %</source>
+        <translation>part de T, %</translation>
+    </message>
+    <message>
+        <source>Errors against the reference, mm (Table V)</source>
+        <translation>Erreurs par rapport à la référence, mm (Tableau V)</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>biais</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>largest, %</source>
+        <translation>maximum, %</translation>
+    </message>
+    <message>
+        <source>E_n above 1</source>
+        <translation>E_n &gt; 1</translation>
+    </message>
+    <message>
+        <source>%1: values of the runs</source>
+        <translation>%1 : valeurs des passages</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>longueur, m</translation>
+    </message>
+    <message>
+        <source>%1: range of the runs</source>
+        <translation>%1 : étendue des passages</translation>
+    </message>
+    <message>
+        <source>%1: error at each position</source>
+        <translation>%1 : erreur à chaque position</translation>
+    </message>
+    <message>
+        <source>mean of the runs</source>
+        <translation>moyenne des passages</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Pas de verdict</translation>
+    </message>
+    <message>
+        <source>no dimension has both a tolerance and figures</source>
+        <translation>aucune cote n&apos;a à la fois tolérance et chiffres</translation>
+    </message>
+    <message>
+        <source>Repeatable</source>
+        <translation>Répétable</translation>
+    </message>
+    <message>
+        <source>Not repeatable</source>
+        <translation>Non répétable</translation>
+    </message>
+    <message>
+        <source>%1 uses the largest share of its tolerance, %2; allowed are %3 %</source>
+        <translation>%1 utilise la plus grande part de sa tolérance, %2 ; sont admis %3 %</translation>
+    </message>
+    <message>
+        <source>uncertainties of values and reference are both needed for E_n; the figures stand by themselves</source>
+        <translation>E_n exige les incertitudes des valeurs et de la référence ; les chiffres sont donnés tels quels</translation>
+    </message>
+    <message>
+        <source>Agrees</source>
+        <translation>Concorde</translation>
+    </message>
+    <message>
+        <source>Does not agree</source>
+        <translation>Ne concorde pas</translation>
+    </message>
+    <message>
+        <source>worst is %1: E n above 1 in %2 of its %3 values; chance allows %4</source>
+        <translation>la pire : %1, E n &gt; 1 pour %2 de ses %3 valeurs ; le hasard permet %4</translation>
+    </message>
+    <message>
+        <source>Runs and positions</source>
+        <translation>Passages et positions</translation>
+    </message>
+    <message>
+        <source>Repeatability s r</source>
+        <translation>Répétabilité s r</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>son intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Limit r = 2.8 s r</source>
+        <translation>Limite r = 2,8 s r</translation>
+    </message>
+    <message>
+        <source>Mean and largest range</source>
+        <translation>Étendue moyenne et maximale</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>s from the range</source>
+        <translation>s d&apos;après l&apos;étendue</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autocorrélation</translation>
+    </message>
+    <message>
+        <source>Left out: a run lacks them</source>
+        <translation>Écartées : absentes d&apos;un passage</translation>
+    </message>
+    <message>
+        <source>Grubbs, means of the runs</source>
+        <translation>Grubbs, moyennes des passages</translation>
+    </message>
+    <message>
+        <source>Cochran, scatter of the runs</source>
+        <translation>Cochran, dispersion des passages</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Biais</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Erreur RMS</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Erreur maximale</translation>
+    </message>
+    <message>
+        <source>in % of the reference</source>
+        <translation>en % de la référence</translation>
+    </message>
+    <message>
+        <source>Limits of agreement</source>
+        <translation>Limites de concordance</translation>
+    </message>
+    <message>
+        <source>interval of the lower</source>
+        <translation>intervalle de l&apos;inférieure</translation>
+    </message>
+    <message>
+        <source>interval of the upper</source>
+        <translation>intervalle de la supérieure</translation>
+    </message>
+    <message>
+        <source>Largest E n</source>
+        <translation>E n maximal</translation>
+    </message>
+    <message>
+        <source>E n above 1</source>
+        <translation>E n &gt; 1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Repeatability study</source>
+        <translation>Étude de répétabilité</translation>
+    </message>
+    <message>
+        <source>Accuracy study</source>
+        <translation>Étude d&apos;exactitude</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolérances</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>means over %1 m</source>
+        <translation>moyennes sur %1 m</translation>
+    </message>
+    <message>
+        <source>single profiles</source>
+        <translation>profils individuels</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Référence</translation>
+    </message>
+    <message>
+        <source>Runs: %1.</source>
+        <translation>Passages : %1.</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Conditions : %1.</translation>
+    </message>
+    <message>
+        <source>%1 over the length, as Fig. 9</source>
+        <translation>%1 sur la longueur, comme Fig. 9</translation>
+    </message>
+    <message>
+        <source>%1 against its reference</source>
+        <translation>%1 par rapport à la référence</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Chiffres : %1</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +2056,229 @@
     </message>
 </context>
 <context>
+    <name>vignole::CalibrationDesk</name>
+    <message>
+        <source>Calibrations are not kept: %1. Start the program with an archive (--archive FILE).</source>
+        <translation>Les étalonnages ne sont pas conservés : %1. Démarrer le programme avec une archive (--archive FILE).</translation>
+    </message>
+    <message>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>L&apos;étalonnage relève du technicien : se connecter comme technicien ou qualité (Réglages, F10).</translation>
+    </message>
+    <message>
+        <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
+        <translation>Sans archive, un étalonnage ne pourrait être ni conservé ni repris : démarrer le programme avec --archive FILE.</translation>
+    </message>
+    <message>
+        <source>Another calibration needs a reason.</source>
+        <translation>Un autre étalonnage exige un motif.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::CalibrationOverview</name>
+    <message>
+        <source>In force</source>
+        <translation>En vigueur</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>What it is worth</source>
+        <translation>Ce qu&apos;il vaut</translation>
+    </message>
+    <message>
+        <source>Calibrations kept</source>
+        <translation>Étalonnages conservés</translation>
+    </message>
+    <message>
+        <source>choose one to compare it with the one in force</source>
+        <translation>en choisir un pour le comparer à celui en vigueur</translation>
+    </message>
+    <message>
+        <source>Range finders…</source>
+        <translation>Télémètres…</translation>
+    </message>
+    <message>
+        <source>Calibrate the range finders with the pin plate</source>
+        <translation>Étalonner les télémètres avec la plaque à pions</translation>
+    </message>
+    <message>
+        <source>Lens of a camera…</source>
+        <translation>Objectif de caméra…</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens of a camera with the flat target</source>
+        <translation>Étalonner l&apos;objectif d&apos;une caméra avec la mire plane</translation>
+    </message>
+    <message>
+        <source>Encoder…</source>
+        <translation>Codeur…</translation>
+    </message>
+    <message>
+        <source>Calibrate the encoder over a known length</source>
+        <translation>Étalonner le codeur sur une longueur connue</translation>
+    </message>
+    <message>
+        <source>Reference piece…</source>
+        <translation>Pièce de référence…</translation>
+    </message>
+    <message>
+        <source>Check the calibration on a reference piece</source>
+        <translation>Vérifier l&apos;étalonnage sur une pièce de référence</translation>
+    </message>
+    <message>
+        <source>Parameter study…</source>
+        <translation>Étude de paramètres…</translation>
+    </message>
+    <message>
+        <source>Study which settings of the calibration matter</source>
+        <translation>Étudier quels réglages de l&apos;étalonnage comptent</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Conservé</translation>
+    </message>
+    <message>
+        <source>By, because</source>
+        <translation>Par, motif</translation>
+    </message>
+    <message>
+        <source>What the calibration in force is worth</source>
+        <translation>Ce que vaut l&apos;étalonnage en vigueur</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Reason for putting it back in force</source>
+        <translation>Motif de la remise en vigueur</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Mise en vigueur</translation>
+    </message>
+    <message>
+        <source>Put the chosen calibration in force</source>
+        <translation>Mettre en vigueur l&apos;étalonnage choisi</translation>
+    </message>
+    <message>
+        <source>No calibration</source>
+        <translation>Aucun étalonnage</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: calibrate the range finders.</source>
+        <translation>Rien ne peut être mesuré : étalonner les télémètres.</translation>
+    </message>
+    <message>
+        <source>Overdue: %1. Calibrate the range finders.</source>
+        <translation>En retard : %1. Étalonner les télémètres.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Due in %n day(s).</source>
+        <translation>
+            <numerusform>À refaire dans %n jour.</numerusform>
+            <numerusform>À refaire dans %n jours.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No interval is set.</source>
+        <translation>Aucun intervalle n&apos;est fixé.</translation>
+    </message>
+    <message>
+        <source>Method: %1
+Made: %2
+Plate: %3
+Cameras: %4</source>
+        <translation>Méthode : %1
+Établi : %2
+Plaque : %3
+Caméras : %4</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
+        <translation>Aucun n&apos;est encore conservé. Le premier le sera quand un rail sera mesuré ou qu&apos;un assistant se terminera.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>En vigueur : %1</translation>
+    </message>
+    <message>
+        <source> (cannot be read)</source>
+        <translation> (illisible)</translation>
+    </message>
+    <message>
+        <source>of another rig</source>
+        <translation>autre installation</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Admis</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>U of it</source>
+        <translation>Son U</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) en %1</translation>
+    </message>
+    <message>
+        <source>Difference: what the chosen one measures more than the one in force</source>
+        <translation>Différence : ce que l&apos;étalonnage choisi mesure de plus que celui en vigueur</translation>
+    </message>
+    <message>
+        <source>By the calibration alone, without the noise of the profiles</source>
+        <translation>Par l&apos;étalonnage seul, sans le bruit des profils</translation>
+    </message>
+    <message>
+        <source>%1, too much</source>
+        <translation>%1, trop</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source>Nothing is applied before old and new are compared.</source>
+        <translation>Rien n&apos;est appliqué avant de comparer l&apos;ancien et le nouveau.</translation>
+    </message>
+    <message>
+        <source>It is of other cameras and cannot be put in force here.</source>
+        <translation>Il vient d&apos;autres caméras et ne peut être mis en vigueur ici.</translation>
+    </message>
+    <message>
+        <source>It is in force.</source>
+        <translation>Il est en vigueur.</translation>
+    </message>
+    <message>
+        <source>It is in force: the line measures with it from the next rail on.</source>
+        <translation>Il est en vigueur : la ligne mesure avec lui dès le prochain rail.</translation>
+    </message>
+</context>
+<context>
     <name>vignole::ChartsPage</name>
     <message>
         <source>Dimensions</source>
@@ -1779,10 +2404,6 @@
         <translation>Écart-type</translation>
     </message>
     <message>
-        <source>Smallest, largest</source>
-        <translation>Plus petite, plus grande</translation>
-    </message>
-    <message>
         <source>Uncertainty U (k = 2)</source>
         <translation>Incertitude U (k = 2)</translation>
     </message>
@@ -1834,6 +2455,14 @@
         <source>%1 cannot be written</source>
         <translation>%1 ne peut être écrit</translation>
     </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
 </context>
 <context>
     <name>vignole::DiagnosticsPage</name>
@@ -1856,14 +2485,6 @@
     <message>
         <source>Computer</source>
         <translation>Ordinateur</translation>
-    </message>
-    <message>
-        <source>Support file…</source>
-        <translation>Fichier d&apos;assistance…</translation>
-    </message>
-    <message>
-        <source>Save a support file</source>
-        <translation>Enregistrer un fichier d&apos;assistance</translation>
     </message>
     <message>
         <source>Where every trigger went</source>
@@ -1934,16 +2555,8 @@
         <translation> : perdue</translation>
     </message>
     <message>
-        <source>Rendered cameras: no packets to be sent again, no temperature.</source>
-        <translation>Caméras simulées : pas de paquets renvoyés, pas de température.</translation>
-    </message>
-    <message>
         <source>Disk</source>
         <translation>Disque</translation>
-    </message>
-    <message>
-        <source>%1 of %2 GB free</source>
-        <translation>%1 Go libres sur %2</translation>
     </message>
     <message>
         <source>make room: nearly full</source>
@@ -1952,14 +2565,6 @@
     <message>
         <source>Archive</source>
         <translation>Archive</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>ouverte</translation>
-    </message>
-    <message>
-        <source>none: rails are not kept</source>
-        <translation>aucune : rails non conservés</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -1989,24 +2594,115 @@
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>turn p99 %1 ms</source>
-        <translation>tour p99 %1 ms</translation>
-    </message>
-    <message>
-        <source>p50 %1, largest %2, limit 50 ms</source>
-        <translation>p50 %1, maxi %2, limite 50 ms</translation>
-    </message>
-    <message>
         <source>Screen</source>
         <translation>Écran</translation>
     </message>
     <message>
-        <source>the window&apos;s thread</source>
-        <translation>le fil de la fenêtre</translation>
+        <source>%1 is written.</source>
+        <translation>%1 est écrit.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 ne peut être écrit : %2</translation>
+        <source>How much of the support bundle is written</source>
+        <translation>Part du fichier d&apos;assistance déjà écrite</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>%1 profiles lost</source>
+        <translation>%1 profils perdus</translation>
+    </message>
+    <message>
+        <source>%1 without points</source>
+        <translation>%1 sans points</translation>
+    </message>
+    <message>
+        <source>%1 profiles kept</source>
+        <translation>%1 profils conservés</translation>
+    </message>
+    <message>
+        <source>rails are not kept</source>
+        <translation>rails non conservés</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, %2 % of a core</source>
+        <translation>%1 images/s, %2 % d&apos;un cœur</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Not available here, because these cameras are rendered: resends, incomplete frames, timeouts, temperature.</source>
+        <translation>Non disponible ici, car ces caméras sont simulées : renvois, images incomplètes, délais dépassés, température.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 GB</source>
+        <translation>%1 sur %2 Go</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s) kept</source>
+        <translation>
+            <numerusform>%n rail conservé</numerusform>
+            <numerusform>%n rails conservés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 MB, WAL %2 MB</source>
+        <translation>%1 Mo, WAL %2 Mo</translation>
+    </message>
+    <message>
+        <source>open, nothing is written</source>
+        <translation>ouverte, rien n&apos;est écrit</translation>
+    </message>
+    <message>
+        <source>of %1 GB</source>
+        <translation>sur %1 Go</translation>
+    </message>
+    <message>
+        <source>p99 %1 ms</source>
+        <translation>p99 %1 ms</translation>
+    </message>
+    <message>
+        <source>p50 %1, max %2</source>
+        <translation>p50 %1, max %2</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fenêtre</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Where the support bundle is put</source>
+        <translation>Où placer le fichier d&apos;assistance</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Assistance…</translation>
+    </message>
+    <message>
+        <source>Cancel the support bundle</source>
+        <translation>Annuler le fichier d&apos;assistance</translation>
+    </message>
+    <message>
+        <source>Save a support bundle</source>
+        <translation>Enregistrer un fichier d&apos;assistance</translation>
     </message>
 </context>
 <context>
@@ -2080,6 +2776,235 @@
     <message>
         <source>Dimensions</source>
         <translation>Cotes</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DriftPanel</name>
+    <message>
+        <source>Health</source>
+        <translation>Santé</translation>
+    </message>
+    <message>
+        <source>seams between the cameras on every rail</source>
+        <translation>jonctions entre les caméras sur chaque rail</translation>
+    </message>
+    <message>
+        <source>Shift of each camera, rail by rail</source>
+        <translation>Décalage de chaque caméra, rail par rail</translation>
+    </message>
+    <message>
+        <source>Shift of each camera since its calibration</source>
+        <translation>Décalage de chaque caméra depuis son étalonnage</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Alarm above</source>
+        <translation>Alarme au-delà</translation>
+    </message>
+    <message>
+        <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
+        <translation>Aucun rail n&apos;est encore passé. La dérive des caméras se voit aux jonctions en production normale, sans plaque.</translation>
+    </message>
+    <message>
+        <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
+        <translation>Apprentissage des jonctions : %1 rails sur %2 depuis que cet étalonnage est en service.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No camera has moved: %n rail(s) watched.</source>
+        <translation>
+            <numerusform>Aucune caméra n&apos;a bougé : %n rail observé.</numerusform>
+            <numerusform>Aucune caméra n&apos;a bougé : %n rails observés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 moved</source>
+        <translation>%1 déplacée</translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation>rail</translation>
+    </message>
+    <message>
+        <source>shift in </source>
+        <translation>décalage en </translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>caméra %1</translation>
+    </message>
+    <message>
+        <source>alarm above</source>
+        <translation>alarme au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::EncoderPanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Codeur</translation>
+    </message>
+    <message>
+        <source>Motion a pulse</source>
+        <translation>Avance/impulsion</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Lectures</translation>
+    </message>
+    <message>
+        <source>Known length, first to last reading</source>
+        <translation>Longueur connue, première à dernière lecture</translation>
+    </message>
+    <message>
+        <source>Known length, mm</source>
+        <translation>Longueur connue, mm</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Son incertitude-type</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length, mm</source>
+        <translation>Incertitude-type de la longueur, mm</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, for training</source>
+        <translation>Glissement du second codeur virtuel, pour s&apos;exercer</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, ppm</source>
+        <translation>Glissement du second codeur virtuel, ppm</translation>
+    </message>
+    <message>
+        <source>Drive the rail</source>
+        <translation>Déplacer le rail</translation>
+    </message>
+    <message>
+        <source>Readings from a file…</source>
+        <translation>Lectures d&apos;un fichier…</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Incertitude-type</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Comptage</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Second</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Readings of the encoder</source>
+        <translation>Lectures du codeur</translation>
+    </message>
+    <message>
+        <source>Slip along the way</source>
+        <translation>Glissement le long du trajet</translation>
+    </message>
+    <message>
+        <source>Readings: count,x_mm,y_mm[,count2]</source>
+        <translation>Lectures : count,x_mm,y_mm[,count2]</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the rail is driven by hand over a known length. Stop the line to go on.</source>
+        <translation>Fermé tant que la ligne mesure : le rail est déplacé à la main sur une longueur connue. Arrêter la ligne pour continuer.</translation>
+    </message>
+    <message>
+        <source>A rail is driven over a length that is known, and the pulses are counted: where the light crosses it, it is seen as well.</source>
+        <translation>Un rail est déplacé sur une longueur connue et les impulsions sont comptées : là où la lumière le coupe, il est vu aussi.</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>second behind first, pulses</source>
+        <translation>retard du second, impulsions</translation>
+    </message>
+    <message>
+        <source>Next: drive the rail over the known length.</source>
+        <translation>Ensuite : déplacer le rail sur la longueur connue.</translation>
+    </message>
+    <message>
+        <source> µm a pulse</source>
+        <translation> µm/impulsion</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>unknown: fewer than three readings</source>
+        <translation>inconnue : moins de trois lectures</translation>
+    </message>
+    <message>
+        <source>Along (V z)</source>
+        <translation>En long (V z)</translation>
+    </message>
+    <message>
+        <source>Sideways (V x)</source>
+        <translation>En travers (V x)</translation>
+    </message>
+    <message>
+        <source>Upwards (V y)</source>
+        <translation>En hauteur (V y)</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Impulsions</translation>
+    </message>
+    <message>
+        <source>Slip of the second</source>
+        <translation>Glissement du second</translation>
+    </message>
+    <message>
+        <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
+        <translation>L&apos;un des codeurs glisse. Ensuite : nettoyer les roues, les plaquer et recommencer.</translation>
+    </message>
+    <message>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <translation>Une impulsion vaut %1 µm de rail. Ensuite : saisir cette valeur là où les impulsions du codeur sont divisées en déclenchements.</translation>
     </message>
 </context>
 <context>
@@ -2186,6 +3111,328 @@
     <message>
         <source>Last rails</source>
         <translation>Derniers</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::LensWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annulation…</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Préparer</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>Parts of the picture that have been seen</source>
+        <translation>Parties de l&apos;image qui ont été vues</translation>
+    </message>
+    <message>
+        <source>Picture of the target</source>
+        <translation>Image de la mire</translation>
+    </message>
+    <message>
+        <source>Pictures taken</source>
+        <translation>Images prises</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Oblique</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Flou</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Calculer</translation>
+    </message>
+    <message>
+        <source>Lens models (Table III)</source>
+        <translation>Modèles d&apos;objectif (Tableau III)</translation>
+    </message>
+    <message>
+        <source>Distortion model</source>
+        <translation>Modèle de distorsion</translation>
+    </message>
+    <message>
+        <source>Mean error px</source>
+        <translation>Erreur moy. px</translation>
+    </message>
+    <message>
+        <source>RMS px</source>
+        <translation>RMS px</translation>
+    </message>
+    <message>
+        <source>Not seen before px</source>
+        <translation>Images non vues px</translation>
+    </message>
+    <message>
+        <source>Focal length mm</source>
+        <translation>Focale mm</translation>
+    </message>
+    <message>
+        <source>Lens models that were tried</source>
+        <translation>Modèles d&apos;objectif essayés</translation>
+    </message>
+    <message>
+        <source>Coverage and residuals</source>
+        <translation>Couverture et résidus</translation>
+    </message>
+    <message>
+        <source>Points of all pictures</source>
+        <translation>Points de toutes les images</translation>
+    </message>
+    <message>
+        <source>Mean residual by place</source>
+        <translation>Résidu moyen par endroit</translation>
+    </message>
+    <message>
+        <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
+Target: %1, points within ±%2 µm.</source>
+        <translation>La mire plane à cercles est tenue devant une caméra, image par image, dans la pose dessinée. Le modèle d&apos;objectif est le plus simple qui prédise des images qu&apos;il n&apos;a pas vues.
+Mire : %1, points à ±%2 µm.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Camera whose lens is calibrated</source>
+        <translation>Caméra dont l&apos;objectif est étalonné</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Pictures: twelve cover a lens.</source>
+        <translation>Images : douze couvrent un objectif.</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>Nombre d&apos;images</translation>
+    </message>
+    <message>
+        <source>Target to the right, mm</source>
+        <translation>Mire vers la droite, mm</translation>
+    </message>
+    <message>
+        <source>Target down, mm</source>
+        <translation>Mire vers le bas, mm</translation>
+    </message>
+    <message>
+        <source>Distance of the target, mm</source>
+        <translation>Distance de la mire, mm</translation>
+    </message>
+    <message>
+        <source>Tilt up and down, degrees</source>
+        <translation>Inclinaison haut et bas, degrés</translation>
+    </message>
+    <message>
+        <source>Tilt to the sides, degrees</source>
+        <translation>Inclinaison sur les côtés, degrés</translation>
+    </message>
+    <message>
+        <source>Turn of the target, degrees</source>
+        <translation>Rotation de la mire, degrés</translation>
+    </message>
+    <message>
+        <source>Hold as shown</source>
+        <translation>Tenir ainsi</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>Prendre l&apos;image</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Use with the plate</source>
+        <translation>Utiliser avec plaque</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Fermé tant que la ligne mesure</translation>
+    </message>
+    <message>
+        <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>La caméra est nécessaire aux images de la mire. Arrêter la ligne pour continuer ; ce qui a été pris est conservé.</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Progression du calcul</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Aucune installation n&apos;est disponible : les caméras ne font pas partie de cette version. Démarrer le programme sur l&apos;installation virtuelle.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Annulé : rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>Lens of the camera</source>
+        <translation>Objectif de la caméra</translation>
+    </message>
+    <message>
+        <source>camera%1.toml</source>
+        <translation>camera%1.toml</translation>
+    </message>
+    <message>
+        <source>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</source>
+        <translation>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>camera and target</source>
+        <translation>caméra et mire</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>model chosen by the data</source>
+        <translation>modèle choisi par les données</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Table III, residuals</source>
+        <translation>Tableau III, résidus</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture</source>
+        <translation>%1 % de l&apos;image</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Aucune encore.</translation>
+    </message>
+    <message>
+        <source>May be used, but: %1</source>
+        <translation>Utilisable, mais : %1</translation>
+    </message>
+    <message>
+        <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
+        <translation>Utilisable : erreur moyenne %1 px avec le modèle %2, choisi sur des images qu&apos;il n&apos;avait pas vues.</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, choisi</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Next: choose the camera.</source>
+        <translation>Ensuite : choisir la caméra.</translation>
+    </message>
+    <message>
+        <source>First picture</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Looking at the target…</source>
+        <translation>Examen de la mire…</translation>
+    </message>
+    <message>
+        <source>This picture would be refused: %1</source>
+        <translation>Cette image serait refusée : %1</translation>
+    </message>
+    <message>
+        <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
+        <translation>Cette image serait refusée, car elle montre la pose de l&apos;image %1 ; déplacer la mire vers le contour en tirets.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) found.</source>
+        <translation>
+            <numerusform>%n point trouvé.</numerusform>
+            <numerusform>%n points trouvés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: solve, or take more.</source>
+        <translation>Ensuite : calculer, ou en prendre d&apos;autres.</translation>
+    </message>
+    <message>
+        <source>Working out which pose tells most…</source>
+        <translation>Recherche de la pose la plus instructive…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
+        <translation>
+            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l&apos;image ; encore %n.</numerusform>
+            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l&apos;image ; encore %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: %1; %n to go.</source>
+        <translation>
+            <numerusform>Ensuite : %1 ; encore %n.</numerusform>
+            <numerusform>Ensuite : %1 ; encore %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens models are adjusted and tried on pictures they have not seen.</source>
+        <translation>Les modèles d&apos;objectif sont ajustés et essayés sur des images qu&apos;ils n&apos;ont pas vues.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the result comes by itself.</source>
+        <translation>Ensuite : rien à faire ; le résultat vient de lui-même.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be used.</source>
+        <translation>Refusé : inutilisable.</translation>
+    </message>
+    <message>
+        <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
+        <translation>L&apos;assistant des télémètres utilise cet objectif. Ensuite : étalonner les télémètres.</translation>
+    </message>
+    <message>
+        <source>Next: use it with the plate, or save it.</source>
+        <translation>Ensuite : l&apos;utiliser avec la plaque, ou l&apos;enregistrer.</translation>
     </message>
 </context>
 <context>
@@ -2583,8 +3830,78 @@
         <translation>Caméra %1</translation>
     </message>
     <message>
-        <source>mean time of a stage, SD standard deviation, UCL upper limit of the 99 % confidence interval; of a queue now (dark), highest fill (mark) and size</source>
-        <translation>temps moyen d&apos;une étape, ET écart-type, LSC limite supérieure de l&apos;intervalle de confiance à 99 % ; d&apos;une file : maintenant (sombre), plus haut niveau (repère) et taille</translation>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>recalé</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>non recalé</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dimension(s)</source>
+        <translation>
+            <numerusform>%n cote</numerusform>
+            <numerusform>%n cotes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>ET %1</translation>
+    </message>
+    <message>
+        <source>99 % UCL %1</source>
+        <translation>99 % LSC %1</translation>
+    </message>
+    <message>
+        <source>Consumers</source>
+        <translation>Sorties</translation>
+    </message>
+    <message>
+        <source>in the queue now</source>
+        <translation>actuellement en file</translation>
+    </message>
+    <message>
+        <source>highest fill, of how many places</source>
+        <translation>remplissage maximal, sur combien de places</translation>
+    </message>
+    <message>
+        <source>mean time, SD standard deviation, UCL upper limit of its 99 % confidence interval</source>
+        <translation>temps moyen, ET écart-type, LSC limite supérieure de son intervalle de confiance à 99 %</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::PlateView</name>
+    <message>
+        <source>no picture yet</source>
+        <translation>pas encore d&apos;image</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusée</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins</source>
+        <translation>%1 pions sur %2</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Caméra %1 : %2</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>no pin here</source>
+        <translation>pas de pion ici</translation>
+    </message>
+    <message>
+        <source>not found: %1</source>
+        <translation>non trouvé : %1</translation>
     </message>
 </context>
 <context>
@@ -2621,14 +3938,6 @@
         <translation>Mesuré</translation>
     </message>
     <message>
-        <source>Rails that may be laid over each other</source>
-        <translation>Rails superposables</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Cote</translation>
-    </message>
-    <message>
         <source>Single profiles</source>
         <translation>Profils individuels</translation>
     </message>
@@ -2653,14 +3962,6 @@
         <translation>Exporter…</translation>
     </message>
     <message>
-        <source>Export values and ranges as CSV</source>
-        <translation>Exporter valeurs et étendues en CSV</translation>
-    </message>
-    <message>
-        <source>Values over the length</source>
-        <translation>Valeurs sur la longueur</translation>
-    </message>
-    <message>
         <source>as Fig. 9a</source>
         <translation>comme Fig. 9a</translation>
     </message>
@@ -2669,52 +3970,8 @@
         <translation>Étendue des passages</translation>
     </message>
     <message>
-        <source>as Fig. 9b</source>
-        <translation>comme Fig. 9b</translation>
-    </message>
-    <message>
         <source>Values of every run over the length</source>
         <translation>Valeurs de chaque passage sur la longueur</translation>
-    </message>
-    <message>
-        <source>Range of the runs over the length</source>
-        <translation>Étendue des passages sur la longueur</translation>
-    </message>
-    <message>
-        <source>Mean range</source>
-        <translation>Étendue moyenne</translation>
-    </message>
-    <message>
-        <source>per 10 m, as Table VI</source>
-        <translation>par 10 m, comme Tab. VI</translation>
-    </message>
-    <message>
-        <source>From – to, m</source>
-        <translation>De – à, m</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Positions</translation>
-    </message>
-    <message>
-        <source>Mean range, section by section</source>
-        <translation>Étendue moyenne, tronçon par tronçon</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Chiffres</translation>
-    </message>
-    <message>
-        <source>Figures of the study</source>
-        <translation>Chiffres de l&apos;étude</translation>
-    </message>
-    <message>
-        <source>Runs come from the archive, and there is none: %1. Start the program with --archive FILE.</source>
-        <translation>Les passages viennent de l&apos;archive, et il n&apos;y en a pas : %1. Démarrer le programme avec --archive FILE.</translation>
-    </message>
-    <message>
-        <source>At least 2 runs of the same rail are needed, %1 chosen; the paper took 5.</source>
-        <translation>Il faut au moins 2 passages du même rail, %1 choisis ; l&apos;article en a pris 5.</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -2723,10 +3980,6 @@
     <message>
         <source>No rail has been kept yet. Runs of the same rail are compared here.</source>
         <translation>Aucun rail conservé. Les passages du même rail se comparent ici.</translation>
-    </message>
-    <message>
-        <source>Tick the runs that were made of the same rail, choose a dimension and compare.</source>
-        <translation>Cocher les passages du même rail, choisir une cote et comparer.</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -2741,60 +3994,351 @@
         <translation>étendue, %1</translation>
     </message>
     <message>
-        <source>Runs, positions</source>
-        <translation>Passages, positions</translation>
-    </message>
-    <message>
-        <source>Repeatability s_r</source>
-        <translation>Répétabilité s_r</translation>
-    </message>
-    <message>
-        <source>its 95 % interval</source>
-        <translation>son intervalle à 95 %</translation>
-    </message>
-    <message>
-        <source>Limit r = 2.8 s_r</source>
-        <translation>Limite r = 2,8 s_r</translation>
-    </message>
-    <message>
-        <source>Largest range</source>
-        <translation>Plus grande étendue</translation>
-    </message>
-    <message>
-        <source>s from the range</source>
-        <translation>s d&apos;après l&apos;étendue</translation>
-    </message>
-    <message>
-        <source>Autocorrelation</source>
-        <translation>Autocorrélation</translation>
-    </message>
-    <message>
-        <source>%1, critical %2 (1 %)</source>
-        <translation>%1, critique %2 (1 %)</translation>
-    </message>
-    <message>
-        <source>Grubbs, means of the runs</source>
-        <translation>Grubbs, moyennes des passages</translation>
-    </message>
-    <message>
-        <source>Cochran, scatter of the runs</source>
-        <translation>Cochran, dispersion des passages</translation>
-    </message>
-    <message>
-        <source>, %1 positions left out: a run lacks them</source>
-        <translation>, %1 positions omises : un passage ne les a pas</translation>
-    </message>
-    <message>
         <source>Export as CSV</source>
         <translation>Exporter en CSV</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 est écrit</translation>
+        <source>truth of the virtual rig</source>
+        <translation>vérité de l&apos;installation virtuelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>The inspections were cancelled; %n were whole.</source>
+        <translation>
+            <numerusform>Les inspections ont été annulées ; %n était complète.</numerusform>
+            <numerusform>Les inspections ont été annulées ; %n étaient complètes.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 ne peut être écrit</translation>
+        <source>Runs of one rail</source>
+        <translation>Passages d&apos;un rail</translation>
+    </message>
+    <message>
+        <source>Reference values</source>
+        <translation>Valeurs de référence</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Rapport en PDF</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Exactitude</translation>
+    </message>
+    <message>
+        <source>Rails of the archive</source>
+        <translation>Rails de l&apos;archive</translation>
+    </message>
+    <message>
+        <source>Runs from a file</source>
+        <translation>Passages d&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>Inst. virtuelle</translation>
+    </message>
+    <message>
+        <source>Where the runs come from</source>
+        <translation>D&apos;où viennent les passages</translation>
+    </message>
+    <message>
+        <source>3 m of rail</source>
+        <translation>3 m de rail</translation>
+    </message>
+    <message>
+        <source>12 m of rail</source>
+        <translation>12 m de rail</translation>
+    </message>
+    <message>
+        <source>60 m of rail, as the paper</source>
+        <translation>60 m de rail, comme l&apos;article</translation>
+    </message>
+    <message>
+        <source>Length of the virtual rail</source>
+        <translation>Longueur du rail virtuel</translation>
+    </message>
+    <message>
+        <source>Means over 0.5 m</source>
+        <translation>Moyennes sur 0,5 m</translation>
+    </message>
+    <message>
+        <source>Runs that may be laid over each other</source>
+        <translation>Passages qui peuvent être superposés</translation>
+    </message>
+    <message>
+        <source>Open runs…</source>
+        <translation>Passages…</translation>
+    </message>
+    <message>
+        <source>Open runs from a CSV file</source>
+        <translation>Ouvrir des passages d&apos;un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>Référence…</translation>
+    </message>
+    <message>
+        <source>Open reference values from a CSV file</source>
+        <translation>Ouvrir des valeurs de référence d&apos;un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Report as PDF (Ctrl+P)</source>
+        <translation>Rapport en PDF (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>Export values as CSV</source>
+        <translation>Exporter les valeurs en CSV</translation>
+    </message>
+    <message>
+        <source>Export values as CSV (Ctrl+E)</source>
+        <translation>Exporter les valeurs en CSV (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>Progress of the inspections</source>
+        <translation>Progression des inspections</translation>
+    </message>
+    <message>
+        <source>What the runs differ by over the length</source>
+        <translation>En quoi les passages diffèrent sur la longueur</translation>
+    </message>
+    <message>
+        <source>Every dimension; the chosen one is drawn</source>
+        <translation>Chaque cote ; celle choisie est dessinée</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Figures of the chosen dimension, formulas and constants</source>
+        <translation>Chiffres de la cote choisie, formules et constantes</translation>
+    </message>
+    <message>
+        <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
+        <translation>Les passages conservés viennent de l&apos;archive, et il n&apos;y en a pas (%1) : démarrer le programme avec --archive FILE, ou choisir ci-dessus un fichier ou l&apos;installation virtuelle.</translation>
+    </message>
+    <message>
+        <source>virtual rig</source>
+        <translation>installation virtuelle</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>passage %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Inspect the rail five times</source>
+        <translation>Inspecter le rail cinq fois</translation>
+    </message>
+    <message>
+        <source>Cancel the inspections</source>
+        <translation>Annuler les inspections</translation>
+    </message>
+    <message>
+        <source>Inspect the same virtual rail five times</source>
+        <translation>Inspecter cinq fois le même rail virtuel</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R)</source>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R) : les deux exigent tous les processeurs, et aucun déclenchement ne doit être perdu pour une étude.</translation>
+    </message>
+    <message>
+        <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
+        <translation>L&apos;exactitude exige une référence : ouvrir un fichier CSV avec les colonnes dimension, position_m, value et, si elle est connue, u.</translation>
+    </message>
+    <message>
+        <source>At least 1 run is needed, none is chosen.</source>
+        <translation>Il faut au moins 1 passage, aucun n&apos;est choisi.</translation>
+    </message>
+    <message>
+        <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
+        <translation>Il faut au moins 2 passages du même rail (choisis : %1) : en choisir encore %2. L&apos;article en a pris 5.</translation>
+    </message>
+    <message>
+        <source>stored rails, same rail and gauge</source>
+        <translation>rails conservés, même rail et même appareil</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>fichier %1</translation>
+    </message>
+    <message>
+        <source>virtual rig, exact calibration, other wander, vibration, scale, speckle and noise in every run</source>
+        <translation>installation virtuelle, étalonnage exact, flottement, vibration, calamine, speckle et bruit différents à chaque passage</translation>
+    </message>
+    <message>
+        <source>The same rail is inspected five times …</source>
+        <translation>Le même rail est inspecté cinq fois …</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Conditions : %1.</translation>
+    </message>
+    <message>
+        <source>Tick the runs that were made of the same rail and compare.</source>
+        <translation>Cocher les passages du même rail et comparer.</translation>
+    </message>
+    <message>
+        <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
+        <translation>Un fichier CSV avec les colonnes run, position_m et les cotes, comme l&apos;écrit inspect --csv.</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors.</source>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R) : les deux exigent tous les processeurs.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>L&apos;expérience de l&apos;article : un rail, cinq inspections, la vérité connue.</translation>
+    </message>
+    <message>
+        <source>No runs are compared yet</source>
+        <translation>Aucun passage comparé</translation>
+    </message>
+    <message>
+        <source>%1 over the length</source>
+        <translation>%1 sur la longueur</translation>
+    </message>
+    <message>
+        <source>largest minus smallest at each position, as Fig. 9b</source>
+        <translation>le plus grand moins le plus petit à chaque position, comme Fig. 9b</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>attendu</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>limite inférieure</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>limite supérieure</translation>
+    </message>
+    <message>
+        <source>mean of %1 m</source>
+        <translation>moyenne sur %1 m</translation>
+    </message>
+    <message>
+        <source>Error of %1 over the length</source>
+        <translation>Erreur sur la longueur : %1</translation>
+    </message>
+    <message>
+        <source>value minus reference, mean of the runs; %1</source>
+        <translation>valeur moins référence, moyenne des passages ; %1</translation>
+    </message>
+    <message>
+        <source>value minus reference</source>
+        <translation>valeur moins référence</translation>
+    </message>
+    <message>
+        <source>Largest error at each position</source>
+        <translation>Erreur maximale à chaque position</translation>
+    </message>
+    <message>
+        <source>of any run</source>
+        <translation>d&apos;un passage</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>sans erreur</translation>
+    </message>
+    <message>
+        <source>limit of agreement</source>
+        <translation>limite de concordance</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>erreur, %1</translation>
+    </message>
+    <message>
+        <source>Dim.</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>% T</source>
+        <translation>% T</translation>
+    </message>
+    <message>
+        <source>Mean range per %1 m</source>
+        <translation>Étendue moyenne par %1 m</translation>
+    </message>
+    <message>
+        <source>as Table VI</source>
+        <translation>comme Tabl. VI</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI; the stretches are in the report</source>
+        <translation>%1, comme Tableau VI ; les tronçons sont dans le rapport</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI</source>
+        <translation>%1, comme Tabl. VI</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>biais</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>%1, as Table V</source>
+        <translation>%1, comme Tabl. V</translation>
+    </message>
+    <message>
+        <source>as Table V</source>
+        <translation>comme Tabl. V</translation>
+    </message>
+    <message>
+        <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
+        <translation>Verdict, chiffres, formules et constantes s&apos;affichent ici quand des passages sont comparés.</translation>
+    </message>
+    <message>
+        <source>figures of %1</source>
+        <translation>chiffres : %1</translation>
+    </message>
+    <message>
+        <source>writing …</source>
+        <translation>écriture …</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 est écrit.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 ne peut être écrit.</translation>
     </message>
 </context>
 <context>
@@ -2967,10 +4511,6 @@
         <translation>en cours</translation>
     </message>
     <message>
-        <source>inside</source>
-        <translation>dedans</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
     </message>
@@ -3102,10 +4642,6 @@
         <translation>Rien n&apos;est conservé. Les rails en direct ne sont que sur Moniteur.</translation>
     </message>
     <message>
-        <source>kept: %1 rails, %2 profiles waiting</source>
-        <translation>conservés : %1 rails, %2 profils en attente</translation>
-    </message>
-    <message>
         <source>; %1 profiles lost</source>
         <translation> ; %1 profils perdus</translation>
     </message>
@@ -3116,6 +4652,18 @@
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
         <translation>Impossible d&apos;écrire : %1. Ce qui passe attend en mémoire.</translation>
+    </message>
+    <message>
+        <source>kept since the start: %1 rails; %2 profiles wait</source>
+        <translation>conservés depuis le démarrage : %1 rails ; %2 profils attendent</translation>
+    </message>
+    <message>
+        <source>nearest to a limit, inside</source>
+        <translation>le plus proche d&apos;une limite, à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>furthest beyond a limit, mm</source>
+        <translation>le plus loin au-delà d&apos;une limite, mm</translation>
     </message>
 </context>
 <context>
@@ -3358,12 +4906,744 @@
         <source>%1 is written</source>
         <translation>%1 est écrit</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>Section…</translation>
+    </message>
+    <message>
+        <source>Draw the section, or bring one along from a drawing</source>
+        <translation>Dessiner la section, ou l&apos;apporter depuis un plan</translation>
+    </message>
+    <message>
+        <source>What if…</source>
+        <translation>Et si…</translation>
+    </message>
+    <message>
+        <source>Judge stored rails by the chosen recipe</source>
+        <translation>Juger les rails conservés selon la recette choisie</translation>
+    </message>
+    <message>
+        <source>Use for the next rail</source>
+        <translation>Pour le prochain rail</translation>
+    </message>
+    <message>
+        <source>Use the chosen recipe for the next rail</source>
+        <translation>Utiliser la recette choisie pour le prochain rail</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Parameters of dimensions and settings of the stages</source>
+        <translation>Paramètres des cotes et réglages des étapes</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen recipe</source>
+        <translation>Réglages de la recette choisie</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Name of the draft; another name makes a copy</source>
+        <translation>Nom du brouillon ; un autre nom en fait une copie</translation>
+    </message>
+    <message>
+        <source>On the line: %1 v%2.</source>
+        <translation>Sur la ligne : %1 v%2.</translation>
+    </message>
+    <message>
+        <source>From the next rail: %1.</source>
+        <translation>Dès le prochain rail : %1.</translation>
+    </message>
+    <message>
+        <source>Only an approved recipe is measured with.</source>
+        <translation>On ne mesure qu&apos;avec une recette approuvée.</translation>
+    </message>
+    <message>
+        <source>%1: the value is not of its kind.</source>
+        <translation>%1 : la valeur n&apos;est pas du bon type.</translation>
+    </message>
+    <message>
+        <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
+        <translation>%1 v%2 est en vigueur dès le prochain rail ; le rail dans l&apos;appareil garde ce avec quoi il a commencé.</translation>
+    </message>
+    <message>
+        <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
+        <translation>« Et si » exige au moins %1 rails conservés de la section %2, il y en a %3 : en mesurer d&apos;abord d&apos;autres.</translation>
+    </message>
+    <message>
+        <source>Recipes are read, drafts cannot be kept: %1.</source>
+        <translation>Les recettes sont lues, les brouillons ne peuvent pas être conservés : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ReferencePanel</name>
+    <message>
+        <source>Reference piece</source>
+        <translation>Pièce de référence</translation>
+    </message>
+    <message>
+        <source>Certificate and gauge</source>
+        <translation>Certificat et appareil</translation>
+    </message>
+    <message>
+        <source>Profiles that are averaged</source>
+        <translation>Profils moyennés</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Progression du contrôle</translation>
+    </message>
+    <message>
+        <source>Measure the piece</source>
+        <translation>Mesurer la pièce</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Annulé : rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Aucune installation n&apos;est disponible : les caméras ne font pas partie de cette version.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
+        <translation>Fermé tant que la ligne mesure : la pièce est là où passe le rail. Arrêter la ligne pour continuer.</translation>
+    </message>
+    <message>
+        <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
+        <translation>Une section avec certificat est placée dans l&apos;appareil et mesurée avec l&apos;étalonnage en vigueur. Sur l&apos;installation virtuelle, c&apos;est une pièce virtuelle dont la vérité est le certificat (U = 2 µm).</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <source>Next: measure the piece.</source>
+        <translation>Ensuite : mesurer la pièce.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
+        <translation>
+            <numerusform>L&apos;appareil concorde avec le certificat pour chaque cote, sur %n profil.</numerusform>
+            <numerusform>L&apos;appareil concorde avec le certificat pour chaque cote, sur %n profils.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
+        <translation>L&apos;appareil ne concorde pas avec le certificat. Ensuite : nettoyer la pièce et mesurer à nouveau ; si cela persiste, étalonner les télémètres.</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>Certificat %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Mesuré %1</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Deviation over U</source>
+        <translation>Écart sur U</translation>
+    </message>
+    <message>
+        <source>%1, differs</source>
+        <translation>%1, diffère</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>non mesuré : %1</translation>
+    </message>
 </context>
 <context>
     <name>vignole::ReplayCanvas</name>
     <message>
         <source>Profile of the stored rail</source>
         <translation>Profil du rail conservé</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annulation…</translation>
+    </message>
+    <message>
+        <source>Range finders</source>
+        <translation>Télémètres</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Fit to the pins</source>
+        <translation>Ajustement aux pions</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Préparer</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Calculer</translation>
+    </message>
+    <message>
+        <source>Pins found (Fig. 8d)</source>
+        <translation>Pions trouvés (Fig. 8d)</translation>
+    </message>
+    <message>
+        <source>circles: the pins as found; points: the lines of the first placement</source>
+        <translation>cercles : pions tels que trouvés ; points : lignes de la première position</translation>
+    </message>
+    <message>
+        <source>Pins in the world</source>
+        <translation>Pions dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Contrôles</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Mise en vigueur</translation>
+    </message>
+    <message>
+        <source>How often the plate is put down: four find an error of the plate as well.</source>
+        <translation>Combien de fois la plaque est posée : quatre révèlent aussi une erreur de la plaque.</translation>
+    </message>
+    <message>
+        <source>Number of placements</source>
+        <translation>Nombre de positions</translation>
+    </message>
+    <message>
+        <source>The virtual plate, for training</source>
+        <translation>La plaque virtuelle, pour s&apos;exercer</translation>
+    </message>
+    <message>
+        <source>is as its certificate says</source>
+        <translation>est conforme à son certificat</translation>
+    </message>
+    <message>
+        <source>is the mirror image of its file</source>
+        <translation>est l&apos;image miroir de son fichier</translation>
+    </message>
+    <message>
+        <source>is not the one of the certificate</source>
+        <translation>n&apos;est pas celle du certificat</translation>
+    </message>
+    <message>
+        <source>has lost pin 4</source>
+        <translation>a perdu le pion 4</translation>
+    </message>
+    <message>
+        <source>Virtual plate</source>
+        <translation>Plaque virtuelle</translation>
+    </message>
+    <message>
+        <source>Plate to the right, mm</source>
+        <translation>Plaque vers la droite, mm</translation>
+    </message>
+    <message>
+        <source>Plate up, mm</source>
+        <translation>Plaque vers le haut, mm</translation>
+    </message>
+    <message>
+        <source>Plate turned anticlockwise, degrees</source>
+        <translation>Plaque tournée en sens antihoraire, degrés</translation>
+    </message>
+    <message>
+        <source>Plate tilted out of the light, degrees</source>
+        <translation>Plaque inclinée hors du plan laser, degrés</translation>
+    </message>
+    <message>
+        <source>tilt </source>
+        <translation>incl. </translation>
+    </message>
+    <message>
+        <source>Place as shown</source>
+        <translation>Placer ainsi</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Take again</source>
+        <translation>Refaire</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Fermé tant que la ligne mesure</translation>
+    </message>
+    <message>
+        <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>La plaque est là où passe le rail, et les caméras sont nécessaires. Arrêter la ligne pour continuer ; ce qui a été pris est conservé.</translation>
+    </message>
+    <message>
+        <source>To be repeated after so many days (0: never)</source>
+        <translation>À refaire après tant de jours (0 : jamais)</translation>
+    </message>
+    <message>
+        <source>Days after which the calibration is to be repeated</source>
+        <translation>Jours après lesquels l&apos;étalonnage est à refaire</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Reason for the new calibration</source>
+        <translation>Motif du nouvel étalonnage</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Progression du calcul</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Centre (CD)</source>
+        <translation>Centre (CD)</translation>
+    </message>
+    <message>
+        <source>Radius (RD)</source>
+        <translation>Rayon (RD)</translation>
+    </message>
+    <message>
+        <source>Points (PD)</source>
+        <translation>Points (PD)</translation>
+    </message>
+    <message>
+        <source>Table IV: fit to the pins</source>
+        <translation>Tableau IV : ajustement aux pions</translation>
+    </message>
+    <message>
+        <source>Checks of the new calibration</source>
+        <translation>Contrôles du nouvel étalonnage</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Aucune installation n&apos;est disponible : les caméras ne font pas partie de cette version. Démarrer le programme sur l&apos;installation virtuelle.</translation>
+    </message>
+    <message>
+        <source>Four cameras together…</source>
+        <translation>Quatre caméras ensemble…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Annulé : rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>%1 is in force: the line measures with it from the next rail on.</source>
+        <translation>%1 est en vigueur : la ligne mesure avec lui dès le prochain rail.</translation>
+    </message>
+    <message>
+        <source>Report of the calibration</source>
+        <translation>Rapport de l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>turned and moved</source>
+        <translation>tournée et déplacée</translation>
+    </message>
+    <message>
+        <source>turned 180°</source>
+        <translation>tournée de 180°</translation>
+    </message>
+    <message>
+        <source>moved %1 mm</source>
+        <translation>déplacée %1 mm</translation>
+    </message>
+    <message>
+        <source>as drawn, 0°</source>
+        <translation>dessinée, 0°</translation>
+    </message>
+    <message>
+        <source>plate and cameras</source>
+        <translation>plaque et caméras</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>four cameras together</source>
+        <translation>quatre caméras ensemble</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>old and new</source>
+        <translation>ancien et nouveau</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>reason and signature</source>
+        <translation>motif et signature</translation>
+    </message>
+    <message>
+        <source>placement %1 of %2</source>
+        <translation>position %1 sur %2</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) en %1</translation>
+    </message>
+    <message>
+        <source>mean / max in %1</source>
+        <translation>moyenne / max en %1</translation>
+    </message>
+    <message>
+        <source>Plate, %1</source>
+        <translation>Plaque, %1</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque</translation>
+    </message>
+    <message>
+        <source>%1, U = 3 µm, pins towards the cameras</source>
+        <translation>%1, U = 3 µm, pions vers les caméras</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens as calibrated in this session</source>
+        <translation>Caméra %1 : objectif étalonné pendant cette session</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens of the calibration in force</source>
+        <translation>Caméra %1 : objectif de l&apos;étalonnage en vigueur</translation>
+    </message>
+    <message>
+        <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
+
+%1</source>
+        <translation>La plaque à 13 pions est placée dans l&apos;appareil là où passe le rail, pions vers les caméras, puis tournée et déplacée entre les images. Rien n&apos;est appliqué avant la comparaison de l&apos;ancien et du nouveau et votre confirmation.
+
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes the place of %2 from the next rail on. Both are kept and can be compared and put back.</source>
+        <translation>%1 remplace %2 dès le prochain rail. Les deux sont conservés et peuvent être comparés et repris.</translation>
+    </message>
+    <message>
+        <source>could not be asked</source>
+        <translation>non vérifiable</translation>
+    </message>
+    <message>
+        <source>%1, within %2</source>
+        <translation>%1, limite %2</translation>
+    </message>
+    <message>
+        <source>%1, above %2</source>
+        <translation>%1, dépasse %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 vers la droite</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 vers la gauche</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 vers le haut</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 vers le bas</translation>
+    </message>
+    <message>
+        <source>turned by %1° anticlockwise</source>
+        <translation>tourner de %1° en sens antihoraire</translation>
+    </message>
+    <message>
+        <source>turned by %1° clockwise</source>
+        <translation>tourner de %1° en sens horaire</translation>
+    </message>
+    <message>
+        <source>Next: move the plate to the dashed outlines: %1.</source>
+        <translation>Ensuite : amener la plaque sur les contours en tirets : %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Next: put the plate into the gauge.</source>
+        <translation>Ensuite : placer la plaque dans l&apos;appareil.</translation>
+    </message>
+    <message>
+        <source>First placement</source>
+        <translation>1re position</translation>
+    </message>
+    <message>
+        <source>Next placement</source>
+        <translation>Position suivante</translation>
+    </message>
+    <message>
+        <source>Looking at the plate…</source>
+        <translation>Examen de la plaque…</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Caméra %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins found</source>
+        <translation>%1 pions trouvés sur %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n picture(s) refused</source>
+        <translation>
+            <numerusform>, %n image refusée</numerusform>
+            <numerusform>, %n images refusées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All four cameras see the plate where it must lie. Next: “%1”.</source>
+        <translation>Les quatre caméras voient la plaque là où elle doit être. Ensuite : « %1 ».</translation>
+    </message>
+    <message>
+        <source>The poses of four cameras are found together with the pins.</source>
+        <translation>Les poses des quatre caméras sont déterminées avec les pions.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the comparison comes by itself.</source>
+        <translation>Ensuite : rien à faire ; la comparaison vient d&apos;elle-même.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be put in force.</source>
+        <translation>Refusé : ne peut être mis en vigueur.</translation>
+    </message>
+    <message>
+        <source>May be used: every check is within its limit.</source>
+        <translation>Utilisable : chaque contrôle est dans sa limite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>May be used, but %n dimension(s) get more than is allowed.</source>
+        <translation>
+            <numerusform>Utilisable, mais %n cote reçoit plus qu&apos;admis.</numerusform>
+            <numerusform>Utilisable, mais %n cotes reçoivent plus qu&apos;admis.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
+        <translation>Ensuite : comparer à droite l&apos;ancien et le nouveau. Rien n&apos;est appliqué avant votre confirmation.</translation>
+    </message>
+    <message>
+        <source>Done. Next: start the line and watch the first rail.</source>
+        <translation>Terminé. Ensuite : démarrer la ligne et observer le premier rail.</translation>
+    </message>
+    <message>
+        <source>Next: give the reason and put it in force.</source>
+        <translation>Ensuite : donner le motif et mettre en vigueur.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDialog</name>
+    <message>
+        <source>Drawing of a section</source>
+        <translation>Plan d&apos;une section</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Section with its primitives named</source>
+        <translation>Section avec ses primitives nommées</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Longueur, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Rayon, mm</translation>
+    </message>
+    <message>
+        <source>Primitives of the section</source>
+        <translation>Primitives de la section</translation>
+    </message>
+    <message>
+        <source>Name of the section</source>
+        <translation>Nom de la section</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Profile and straightness class of its recipe</source>
+        <translation>Classe de profil et de rectitude de sa recette</translation>
+    </message>
+    <message>
+        <source>Open a drawing…</source>
+        <translation>Ouvrir un plan…</translation>
+    </message>
+    <message>
+        <source>Open a drawing of a section</source>
+        <translation>Ouvrir le plan d&apos;une section</translation>
+    </message>
+    <message>
+        <source>Make a draft of it</source>
+        <translation>En faire un brouillon</translation>
+    </message>
+    <message>
+        <source>Keep the section and make a draft of it</source>
+        <translation>Conserver la section et en faire un brouillon</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could be drawn.</source>
+        <translation>Rien dans ce fichier ne peut être dessiné.</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Refusé : %1</translation>
+    </message>
+    <message>
+        <source>QA makes drafts: sign in.</source>
+        <translation>La qualité fait les brouillons : se connecter.</translation>
+    </message>
+    <message>
+        <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
+        <translation>Ouvrir un plan : un seul contour fermé de segments et d&apos;arcs, le rail debout.</translation>
+    </message>
+    <message>
+        <source>DXF, JSON or a MiniProf design</source>
+        <translation>DXF, JSON ou dessin MiniProf</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 mm high, %2 cm², %3 kg/m, %4; %n primitive(s)</source>
+        <translation>
+            <numerusform>%1 mm de haut, %2 cm², %3 kg/m, %4 ; %n primitive</numerusform>
+            <numerusform>%1 mm de haut, %2 cm², %3 kg/m, %4 ; %n primitives</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>symétrique</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>asymétrique</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>arc</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>segment</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
+        <translation>Un nom a des lettres, chiffres, espaces, points et traits d&apos;union : il devient le nom d&apos;un fichier.</translation>
+    </message>
+    <message>
+        <source>%1 is a section of the catalogue: give yours another name.</source>
+        <translation>%1 est une section du catalogue : donner un autre nom à la vôtre.</translation>
+    </message>
+    <message>
+        <source>There is another section of the name %1: give a new name.</source>
+        <translation>Il existe une autre section du nom de %1 : donner un nouveau nom.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDrawing</name>
+    <message>
+        <source>free end</source>
+        <translation>bout libre</translation>
+    </message>
+    <message>
+        <source>open here: %1 mm</source>
+        <translation>ouvert ici : %1 mm</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +5843,13 @@
     </message>
 </context>
 <context>
+    <name>vignole::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
+    </message>
+</context>
+<context>
     <name>vignole::StripChart</name>
     <message>
         <source>%1 along the rail: %2</source>
@@ -3607,101 +5894,29 @@
         <source>no picture yet</source>
         <translation>pas encore d&apos;image</translation>
     </message>
+    <message>
+        <source>upper left</source>
+        <translation>haut gauche</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>haut droite</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>bas droite</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>bas gauche</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
 </context>
 <context>
     <name>vignole::StripesPage</name>
-    <message>
-        <source>Line extraction</source>
-        <translation>Extraction de ligne</translation>
-    </message>
-    <message>
-        <source>Smoothing σ</source>
-        <translation>Lissage σ</translation>
-    </message>
-    <message>
-        <source>Low threshold t_l</source>
-        <translation>Seuil bas t_l</translation>
-    </message>
-    <message>
-        <source>High threshold t_h</source>
-        <translation>Seuil haut t_h</translation>
-    </message>
-    <message>
-        <source>Link distance d</source>
-        <translation>Distance de liaison d</translation>
-    </message>
-    <message>
-        <source>Link angle α</source>
-        <translation>Angle de liaison α</translation>
-    </message>
-    <message>
-        <source>%1 on trial</source>
-        <translation>%1 à l&apos;essai</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>En service</translation>
-    </message>
-    <message>
-        <source>On trial</source>
-        <translation>À l&apos;essai</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Différence</translation>
-    </message>
-    <message>
-        <source>In use against on trial</source>
-        <translation>En service et à l&apos;essai</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Enregistrer l&apos;image…</translation>
-    </message>
-    <message>
-        <source>Save the picture of the chosen camera</source>
-        <translation>Enregistrer l&apos;image de la caméra choisie</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>Discard what is on trial</source>
-        <translation>Abandonner l&apos;essai</translation>
-    </message>
-    <message>
-        <source>Use from next start</source>
-        <translation>Utiliser au prochain démarrage</translation>
-    </message>
-    <message>
-        <source>Use what is on trial from the next start of the line</source>
-        <translation>Utiliser l&apos;essai au prochain démarrage de la ligne</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Motif</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>Motif du changement</translation>
-    </message>
-    <message>
-        <source>Live again</source>
-        <translation>Reprendre le direct</translation>
-    </message>
-    <message>
-        <source>Freeze</source>
-        <translation>Figer</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures</source>
-        <translation>Figer les images</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures (P)</source>
-        <translation>Figer les images (P)</translation>
-    </message>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
         <translation>L&apos;essai n&apos;agit que sur ces images jusqu&apos;à son application.</translation>
@@ -3709,14 +5924,6 @@
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
         <translation>Chacun peut essayer ; un technicien connecté applique.</translation>
-    </message>
-    <message>
-        <source>lost: %1</source>
-        <translation>perdue : %1</translation>
-    </message>
-    <message>
-        <source>held, %1 old</source>
-        <translation>figé, vieux de %1</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3735,48 +5942,213 @@
         <translation>Un changement de la mesure exige un motif.</translation>
     </message>
     <message>
-        <source>Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what it began with.</source>
-        <translation>Utilisé au prochain démarrage de la ligne (Ctrl+R arrête et démarre) ; le rail en cours garde ce avec quoi il a commencé.</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>caméra %1</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Points</translation>
-    </message>
-    <message>
-        <source>Saturated, %</source>
-        <translation>Saturé, %</translation>
-    </message>
-    <message>
-        <source>Uncertainty, px</source>
-        <translation>Incertitude, px</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Temps, ms</translation>
-    </message>
-    <message>
-        <source>Mean shift, px</source>
-        <translation>Décalage moyen, px</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Enregistrer l&apos;image</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 est écrit</translation>
+        <source>Lost: %1</source>
+        <translation>Perdue : %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 ne peut être écrit</translation>
+        <source>Held</source>
+        <translation>Figé</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Caméra %1</translation>
+        <source>The line has not been started (Ctrl+R).</source>
+        <translation>La ligne n&apos;a pas été démarrée (Ctrl+R).</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>âge %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is no longer held: the last %n are.</source>
+        <translation>
+            <numerusform>L&apos;image n&apos;est plus gardée : seule la dernière (%n) l&apos;est.</numerusform>
+            <numerusform>L&apos;image n&apos;est plus gardée : seules les %n dernières le sont.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Pas d&apos;image : %1</translation>
+    </message>
+    <message>
+        <source>Pictures behind the profile at %1 m.</source>
+        <translation>Images derrière le profil à %1 m.</translation>
+    </message>
+    <message>
+        <source>Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Attend le prochain rail ; le rail en cours garde ce avec quoi il a commencé.</translation>
+    </message>
+    <message>
+        <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
+        <translation>Sans archive, le changement ne pouvait être enregistré : rien n&apos;a été changé.</translation>
+    </message>
+    <message>
+        <source>The change is being recorded…</source>
+        <translation>Enregistrement du changement…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, because it could not be recorded: %1</source>
+        <translation>Rien n&apos;a été changé, car cela n&apos;a pu être enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
+        <translation>Enregistré. L&apos;exposition change au prochain démarrage de la ligne, les paramètres au prochain rail.</translation>
+    </message>
+    <message>
+        <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Enregistré. Attend le prochain rail ; le rail en cours garde ce avec quoi il a commencé.</translation>
+    </message>
+    <message>
+        <source>Camera %1 has no picture to save.</source>
+        <translation>La caméra %1 n&apos;a pas d&apos;image à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Enregistrement de %1…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 est écrit.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 ne peut être écrit : %2</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::StudyPanel</name>
+    <message>
+        <source>Parameter study</source>
+        <translation>Étude de paramètres</translation>
+    </message>
+    <message>
+        <source>Main effects</source>
+        <translation>Effets principaux</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Settings and their levels</source>
+        <translation>Réglages et leurs niveaux</translation>
+    </message>
+    <message>
+        <source>Influence of each setting</source>
+        <translation>Influence de chaque réglage</translation>
+    </message>
+    <message>
+        <source>Placements of the plate</source>
+        <translation>Positions de la plaque</translation>
+    </message>
+    <message>
+        <source>Placements of the plate for the study</source>
+        <translation>Positions de la plaque pour l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Progression de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>Démarrer l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>settings and levels</source>
+        <translation>réglages et niveaux</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Annulé : rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation>Rapport de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Aucune installation n&apos;est disponible : les caméras ne font pas partie de cette version.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
+        <translation>Fermé tant que la ligne mesure : la plaque est là où passe le rail. Arrêter la ligne pour continuer.</translation>
+    </message>
+    <message>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>Chaque combinaison des niveaux est un étalonnage par la méthode de l&apos;article sur des images de la plaque. Les niveaux sont séparés par des virgules ; un seul niveau ou aucun : le réglage ne varie pas.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>Next: choose levels and start.</source>
+        <translation>Ensuite : choisir les niveaux et démarrer.</translation>
+    </message>
+    <message>
+        <source>Exposure, ms</source>
+        <translation>Exposition, ms</translation>
+    </message>
+    <message>
+        <source>Smoothing σ, px</source>
+        <translation>Lissage σ, px</translation>
+    </message>
+    <message>
+        <source>Ellipses a pin</source>
+        <translation>Ellipses par pion</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SupportBundle</name>
+    <message>
+        <source>is there already</source>
+        <translation>existe déjà</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>ne peut être créé</translation>
+    </message>
+    <message>
+        <source>cancelled: nothing is left of it</source>
+        <translation>annulé : il n&apos;en reste rien</translation>
     </message>
 </context>
 <context>
@@ -3815,6 +6187,181 @@
     <message>
         <source>Begin</source>
         <translation>Commencer</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::TrialPanel</name>
+    <message>
+        <source>Line extraction</source>
+        <translation>Extraction de ligne</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Low threshold</source>
+        <translation>Seuil bas</translation>
+    </message>
+    <message>
+        <source>High threshold</source>
+        <translation>Seuil haut</translation>
+    </message>
+    <message>
+        <source>Link distance</source>
+        <translation>Distance de lien</translation>
+    </message>
+    <message>
+        <source>Link angle</source>
+        <translation>Angle de lien</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>En service</translation>
+    </message>
+    <message>
+        <source>On trial</source>
+        <translation>À l&apos;essai</translation>
+    </message>
+    <message>
+        <source>%1 on trial</source>
+        <translation>%1 à l&apos;essai</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1 : moins</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1 : plus</translation>
+    </message>
+    <message>
+        <source>Choose camera %1</source>
+        <translation>Choisir la caméra %1</translation>
+    </message>
+    <message>
+        <source>Pixels with the line in use</source>
+        <translation>Pixels avec la ligne en service</translation>
+    </message>
+    <message>
+        <source>Pixels with the line on trial</source>
+        <translation>Pixels avec la ligne à l&apos;essai</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>In use against on trial</source>
+        <translation>En service et à l&apos;essai</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Gained, lost</source>
+        <translation>Gagnés, perdus</translation>
+    </message>
+    <message>
+        <source>Saturated points</source>
+        <translation>Points saturés</translation>
+    </message>
+    <message>
+        <source>Uncertainty, px</source>
+        <translation>Incertitude, px</translation>
+    </message>
+    <message>
+        <source>Shift: mean, largest, px</source>
+        <translation>Décalage : moyen, maximal, px</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Temps, ms</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the picture of the chosen camera (Ctrl+S)</source>
+        <translation>Enregistrer l&apos;image de la caméra choisie (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Figer</translation>
+    </message>
+    <message>
+        <source>Live pictures again (P)</source>
+        <translation>À nouveau en direct (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures (P)</source>
+        <translation>Figer les images (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures</source>
+        <translation>Figer les images</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>The pictures behind the newest profile (B)</source>
+        <translation>Les images derrière le dernier profil (B)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Discard what is on trial</source>
+        <translation>Abandonner l&apos;essai</translation>
+    </message>
+    <message>
+        <source>Use from next rail</source>
+        <translation>Dès le prochain rail</translation>
+    </message>
+    <message>
+        <source>Use what is on trial from the next rail on</source>
+        <translation>Utiliser l&apos;essai dès le prochain rail</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Motif du changement</translation>
+    </message>
+    <message>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>L&apos;exposition de ces caméras ne peut être changée d&apos;ici.</translation>
+    </message>
+    <message>
+        <source>camera %1, frozen</source>
+        <translation>caméra %1, figée</translation>
+    </message>
+    <message>
+        <source>camera %1, live</source>
+        <translation>caméra %1, en direct</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>pas d&apos;image</translation>
+    </message>
+    <message>
+        <source>nothing on trial: change a parameter</source>
+        <translation>rien à l&apos;essai : changer un paramètre</translation>
     </message>
 </context>
 <context>
@@ -3971,6 +6518,41 @@
     <message>
         <source>fewer than %1 rails prove little</source>
         <translation>moins de %1 rails prouvent peu</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::WorthTable</name>
+    <message>
+        <source>Dimension</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>En vigueur</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Admis</translation>
+    </message>
+    <message>
+        <source>Largest part</source>
+        <translation>Part principale</translation>
+    </message>
+    <message>
+        <source>What the calibration is worth for each dimension</source>
+        <translation>Ce que vaut l&apos;étalonnage pour chaque cote</translation>
+    </message>
+    <message>
+        <source>More than the tolerance allows</source>
+        <translation>Plus que la tolérance ne permet</translation>
+    </message>
+    <message>
+        <source>too much: %1</source>
+        <translation>trop : %1</translation>
     </message>
 </context>
 </TS>

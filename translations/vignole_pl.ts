@@ -1211,6 +1211,153 @@
     </message>
 </context>
 <context>
+    <name>RecipeSetting</name>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Profile class</source>
+        <translation>Klasa profilu</translation>
+    </message>
+    <message>
+        <source>Straightness class</source>
+        <translation>Klasa prostości</translation>
+    </message>
+    <message>
+        <source>RFH: distance from the axis, mm</source>
+        <translation>RFH: odległość od osi, mm</translation>
+    </message>
+    <message>
+        <source>HF: half width of the crown, mm</source>
+        <translation>HF: pół szerokości pow. tocznej, mm</translation>
+    </message>
+    <message>
+        <source>HW: depth below the crown, mm</source>
+        <translation>HW: głębokość pod pow. toczną, mm</translation>
+    </message>
+    <message>
+        <source>HWA: the AREMA depth, mm</source>
+        <translation>HWA: głębokość AREMA, mm</translation>
+    </message>
+    <message>
+        <source>FT: inside the foot edges, mm</source>
+        <translation>FT: od krawędzi stopki w głąb, mm</translation>
+    </message>
+    <message>
+        <source>RAS: depth below the crown, mm</source>
+        <translation>RAS: głębokość pod pow. toczną, mm</translation>
+    </message>
+    <message>
+        <source>WT: height, mm (none: thinnest)</source>
+        <translation>WT: wysokość, mm (brak: najcieńsza)</translation>
+    </message>
+    <message>
+        <source>Base line: inside the foot edges, mm</source>
+        <translation>Linia bazowa: od krawędzi stopki w głąb, mm</translation>
+    </message>
+    <message>
+        <source>Line: smoothing σ, px</source>
+        <translation>Linia: wygładzanie σ, px</translation>
+    </message>
+    <message>
+        <source>Line: low threshold, DN</source>
+        <translation>Linia: próg dolny, DN</translation>
+    </message>
+    <message>
+        <source>Line: high threshold, DN</source>
+        <translation>Linia: próg górny, DN</translation>
+    </message>
+    <message>
+        <source>Line: longest gap bridged, px</source>
+        <translation>Linia: największa łączona luka, px</translation>
+    </message>
+    <message>
+        <source>Line: largest angle joined, °</source>
+        <translation>Linia: największy łączony kąt, °</translation>
+    </message>
+    <message>
+        <source>Line: shortest kept, points</source>
+        <translation>Linia: najkrótsza, punkty</translation>
+    </message>
+    <message>
+        <source>Line: blocks before overload</source>
+        <translation>Linia: bloki do przeciążenia</translation>
+    </message>
+    <message>
+        <source>Line: pull of bends taken off</source>
+        <translation>Linia: korekcja ściągania na łukach</translation>
+    </message>
+    <message>
+        <source>Registration: scale at first, mm</source>
+        <translation>Dopasowanie: skala początkowa, mm</translation>
+    </message>
+    <message>
+        <source>Registration: scale with a start, mm</source>
+        <translation>Dopasowanie: skala ze startem, mm</translation>
+    </message>
+    <message>
+        <source>Registration: inlier below, mm</source>
+        <translation>Dopasowanie: punkt zgodny poniżej, mm</translation>
+    </message>
+    <message>
+        <source>Registration: points used within, mm</source>
+        <translation>Dopasowanie: punkty użyte do, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails above rms, mm</source>
+        <translation>Dopasowanie: błąd powyżej rms, mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails below share</source>
+        <translation>Dopasowanie: błąd poniżej udziału</translation>
+    </message>
+    <message>
+        <source>Measuring: ends left out, mm</source>
+        <translation>Pomiar: pominięte końce, mm</translation>
+    </message>
+    <message>
+        <source>Measuring: least points</source>
+        <translation>Pomiar: najmniej punktów</translation>
+    </message>
+    <message>
+        <source>Measuring: expansion, 1/K</source>
+        <translation>Pomiar: rozszerzalność, 1/K</translation>
+    </message>
+    <message>
+        <source>Measuring: hottest rail, °C</source>
+        <translation>Pomiar: najgorętsza szyna, °C</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>tak</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>%1: limits, mm</source>
+        <translation>%1: granice, mm</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>bez oceny</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>najwyżej %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>co najmniej %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 do %2</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Operator</source>
@@ -1227,6 +1374,261 @@
     <message>
         <source>Administrator</source>
         <translation>Administrator</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>no outlier</source>
+        <translation>brak odstających</translation>
+    </message>
+    <message>
+        <source>straggler (5 %)</source>
+        <translation>wątpliwa (5 %)</translation>
+    </message>
+    <message>
+        <source>outlier (1 %)</source>
+        <translation>odstająca (1 %)</translation>
+    </message>
+    <message>
+        <source>%1: %2, critical %3 at 1 %</source>
+        <translation>%1: %2, krytyczna %3 przy 1 %</translation>
+    </message>
+    <message>
+        <source>Mean range of the runs, mm, per %1 m (Table VI)</source>
+        <translation>Średni rozstęp przejazdów, mm, na %1 m (tab. VI)</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Wymiar</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>share of T, %</source>
+        <translation>udział w T, %</translation>
+    </message>
+    <message>
+        <source>Errors against the reference, mm (Table V)</source>
+        <translation>Błędy względem odniesienia, mm (tab. V)</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>obciąż.</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>największy</translation>
+    </message>
+    <message>
+        <source>largest, %</source>
+        <translation>największy, %</translation>
+    </message>
+    <message>
+        <source>E_n above 1</source>
+        <translation>E_n powyżej 1</translation>
+    </message>
+    <message>
+        <source>%1: values of the runs</source>
+        <translation>%1: wartości przejazdów</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>długość, m</translation>
+    </message>
+    <message>
+        <source>%1: range of the runs</source>
+        <translation>%1: rozstęp przejazdów</translation>
+    </message>
+    <message>
+        <source>%1: error at each position</source>
+        <translation>%1: błąd w każdym położeniu</translation>
+    </message>
+    <message>
+        <source>mean of the runs</source>
+        <translation>średnia przejazdów</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Bez oceny</translation>
+    </message>
+    <message>
+        <source>no dimension has both a tolerance and figures</source>
+        <translation>żaden wymiar nie ma jednocześnie tolerancji i liczb</translation>
+    </message>
+    <message>
+        <source>Repeatable</source>
+        <translation>Powtarzalny</translation>
+    </message>
+    <message>
+        <source>Not repeatable</source>
+        <translation>Niepowtarzalny</translation>
+    </message>
+    <message>
+        <source>%1 uses the largest share of its tolerance, %2; allowed are %3 %</source>
+        <translation>%1 zużywa największą część swojej tolerancji, %2; dopuszczalne jest %3 %</translation>
+    </message>
+    <message>
+        <source>uncertainties of values and reference are both needed for E_n; the figures stand by themselves</source>
+        <translation>do E_n potrzebne są niepewności wartości i odniesienia; liczby mówią same za siebie</translation>
+    </message>
+    <message>
+        <source>Agrees</source>
+        <translation>Zgodny</translation>
+    </message>
+    <message>
+        <source>Does not agree</source>
+        <translation>Niezgodny</translation>
+    </message>
+    <message>
+        <source>worst is %1: E n above 1 in %2 of its %3 values; chance allows %4</source>
+        <translation>najgorszy jest %1: E n powyżej 1 w %2 z %3 wartości; przypadek dopuszcza %4</translation>
+    </message>
+    <message>
+        <source>Runs and positions</source>
+        <translation>Przejazdy i położenia</translation>
+    </message>
+    <message>
+        <source>Repeatability s r</source>
+        <translation>Powtarzalność s r</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>jej przedział 95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 do %2</translation>
+    </message>
+    <message>
+        <source>Limit r = 2.8 s r</source>
+        <translation>Granica r = 2,8 s r</translation>
+    </message>
+    <message>
+        <source>Mean and largest range</source>
+        <translation>Rozstęp średni i największy</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 i %2</translation>
+    </message>
+    <message>
+        <source>s from the range</source>
+        <translation>s z rozstępu</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autokorelacja</translation>
+    </message>
+    <message>
+        <source>Left out: a run lacks them</source>
+        <translation>Pominięte: brak ich w przejeździe</translation>
+    </message>
+    <message>
+        <source>Grubbs, means of the runs</source>
+        <translation>Grubbs, średnie przejazdów</translation>
+    </message>
+    <message>
+        <source>Cochran, scatter of the runs</source>
+        <translation>Cochran, rozrzut przejazdów</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Obciążenie</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Błąd RMS</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Największy błąd</translation>
+    </message>
+    <message>
+        <source>in % of the reference</source>
+        <translation>w % odniesienia</translation>
+    </message>
+    <message>
+        <source>Limits of agreement</source>
+        <translation>Granice zgodności</translation>
+    </message>
+    <message>
+        <source>interval of the lower</source>
+        <translation>przedział dolnej</translation>
+    </message>
+    <message>
+        <source>interval of the upper</source>
+        <translation>przedział górnej</translation>
+    </message>
+    <message>
+        <source>Largest E n</source>
+        <translation>Największe E n</translation>
+    </message>
+    <message>
+        <source>E n above 1</source>
+        <translation>E n powyżej 1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Repeatability study</source>
+        <translation>Badanie powtarzalności</translation>
+    </message>
+    <message>
+        <source>Accuracy study</source>
+        <translation>Badanie dokładności</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Przejazdy</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Tolerancje</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Wartości</translation>
+    </message>
+    <message>
+        <source>means over %1 m</source>
+        <translation>średnie z %1 m</translation>
+    </message>
+    <message>
+        <source>single profiles</source>
+        <translation>pojedyncze przekroje</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Odniesienie</translation>
+    </message>
+    <message>
+        <source>Runs: %1.</source>
+        <translation>Przejazdy: %1.</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Warunki: %1.</translation>
+    </message>
+    <message>
+        <source>%1 over the length, as Fig. 9</source>
+        <translation>%1 na długości, jak rys. 9</translation>
+    </message>
+    <message>
+        <source>%1 against its reference</source>
+        <translation>%1 wobec odniesienia</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Liczby dla %1</translation>
     </message>
 </context>
 <context>
@@ -1661,6 +2063,230 @@
     </message>
 </context>
 <context>
+    <name>vignole::CalibrationDesk</name>
+    <message>
+        <source>Calibrations are not kept: %1. Start the program with an archive (--archive FILE).</source>
+        <translation>Kalibracje nie są zachowywane: %1. Uruchomić program z archiwum (--archive FILE).</translation>
+    </message>
+    <message>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>Kalibruje technik: zaloguj się jako technik lub kontrola (Ustawienia, F10).</translation>
+    </message>
+    <message>
+        <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
+        <translation>Nie ma archiwum, więc kalibracji nie można by zachować ani cofnąć: uruchomić program z --archive FILE.</translation>
+    </message>
+    <message>
+        <source>Another calibration needs a reason.</source>
+        <translation>Inna kalibracja wymaga powodu.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::CalibrationOverview</name>
+    <message>
+        <source>In force</source>
+        <translation>Obowiązuje</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibruj</translation>
+    </message>
+    <message>
+        <source>What it is worth</source>
+        <translation>Ile jest warta</translation>
+    </message>
+    <message>
+        <source>Calibrations kept</source>
+        <translation>Zachowane kalibracje</translation>
+    </message>
+    <message>
+        <source>choose one to compare it with the one in force</source>
+        <translation>wybierz jedną, by porównać ją z obowiązującą</translation>
+    </message>
+    <message>
+        <source>Range finders…</source>
+        <translation>Dalmierze…</translation>
+    </message>
+    <message>
+        <source>Calibrate the range finders with the pin plate</source>
+        <translation>Skalibruj dalmierze płytą z kołkami</translation>
+    </message>
+    <message>
+        <source>Lens of a camera…</source>
+        <translation>Obiektyw kamery…</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens of a camera with the flat target</source>
+        <translation>Skalibruj obiektyw kamery płaską planszą</translation>
+    </message>
+    <message>
+        <source>Encoder…</source>
+        <translation>Enkoder…</translation>
+    </message>
+    <message>
+        <source>Calibrate the encoder over a known length</source>
+        <translation>Skalibruj enkoder na znanej długości</translation>
+    </message>
+    <message>
+        <source>Reference piece…</source>
+        <translation>Element wzorcowy…</translation>
+    </message>
+    <message>
+        <source>Check the calibration on a reference piece</source>
+        <translation>Sprawdź kalibrację na elemencie wzorcowym</translation>
+    </message>
+    <message>
+        <source>Parameter study…</source>
+        <translation>Badanie parametrów…</translation>
+    </message>
+    <message>
+        <source>Study which settings of the calibration matter</source>
+        <translation>Zbadaj, które ustawienia kalibracji są ważne</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibracja</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Zachowana</translation>
+    </message>
+    <message>
+        <source>By, because</source>
+        <translation>Kto, powód</translation>
+    </message>
+    <message>
+        <source>What the calibration in force is worth</source>
+        <translation>Ile jest warta obowiązująca kalibracja</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>Reason for putting it back in force</source>
+        <translation>Powód ponownego wprowadzenia w życie</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Wprowadź w życie</translation>
+    </message>
+    <message>
+        <source>Put the chosen calibration in force</source>
+        <translation>Wprowadź w życie wybraną kalibrację</translation>
+    </message>
+    <message>
+        <source>No calibration</source>
+        <translation>Brak kalibracji</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: calibrate the range finders.</source>
+        <translation>Nic nie można zmierzyć: skalibruj dalmierze.</translation>
+    </message>
+    <message>
+        <source>Overdue: %1. Calibrate the range finders.</source>
+        <translation>Po terminie: %1. Skalibruj dalmierze.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Due in %n day(s).</source>
+        <translation>
+            <numerusform>Termin za %n dzień.</numerusform>
+            <numerusform>Termin za %n dni.</numerusform>
+            <numerusform>Termin za %n dni.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No interval is set.</source>
+        <translation>Nie ustawiono okresu.</translation>
+    </message>
+    <message>
+        <source>Method: %1
+Made: %2
+Plate: %3
+Cameras: %4</source>
+        <translation>Metoda: %1
+Wykonana: %2
+Płyta: %3
+Kamery: %4</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
+        <translation>Żadnej jeszcze nie zachowano. Pierwsza zostanie zachowana po pomiarze szyny lub zakończeniu kreatora.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>Obowiązuje: %1</translation>
+    </message>
+    <message>
+        <source> (cannot be read)</source>
+        <translation> (nie można odczytać)</translation>
+    </message>
+    <message>
+        <source>of another rig</source>
+        <translation>innego układu</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Wymiar</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Dopuszcz.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Różnica</translation>
+    </message>
+    <message>
+        <source>U of it</source>
+        <translation>Jej U</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) w %1</translation>
+    </message>
+    <message>
+        <source>Difference: what the chosen one measures more than the one in force</source>
+        <translation>Różnica: o ile wybrana mierzy więcej niż obowiązująca</translation>
+    </message>
+    <message>
+        <source>By the calibration alone, without the noise of the profiles</source>
+        <translation>Tylko z kalibracji, bez szumu przekrojów</translation>
+    </message>
+    <message>
+        <source>%1, too much</source>
+        <translation>%1, za dużo</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>Nothing is applied before old and new are compared.</source>
+        <translation>Nic nie jest stosowane przed porównaniem starej i nowej.</translation>
+    </message>
+    <message>
+        <source>It is of other cameras and cannot be put in force here.</source>
+        <translation>Dotyczy innych kamer i nie można jej tu wprowadzić w życie.</translation>
+    </message>
+    <message>
+        <source>It is in force.</source>
+        <translation>Obowiązuje.</translation>
+    </message>
+    <message>
+        <source>It is in force: the line measures with it from the next rail on.</source>
+        <translation>Obowiązuje: linia mierzy nią od następnej szyny.</translation>
+    </message>
+</context>
+<context>
     <name>vignole::ChartsPage</name>
     <message>
         <source>Dimensions</source>
@@ -1787,10 +2413,6 @@
         <translation>Odchylenie std.</translation>
     </message>
     <message>
-        <source>Smallest, largest</source>
-        <translation>Najmniejsza, największa</translation>
-    </message>
-    <message>
         <source>Uncertainty U (k = 2)</source>
         <translation>Niepewność U (k = 2)</translation>
     </message>
@@ -1842,6 +2464,14 @@
         <source>%1 cannot be written</source>
         <translation>Nie można zapisać %1</translation>
     </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Najmniejsza</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Największa</translation>
+    </message>
 </context>
 <context>
     <name>vignole::DiagnosticsPage</name>
@@ -1864,14 +2494,6 @@
     <message>
         <source>Computer</source>
         <translation>Komputer</translation>
-    </message>
-    <message>
-        <source>Support file…</source>
-        <translation>Plik serwisowy…</translation>
-    </message>
-    <message>
-        <source>Save a support file</source>
-        <translation>Zapisz plik serwisowy</translation>
     </message>
     <message>
         <source>Where every trigger went</source>
@@ -1942,16 +2564,8 @@
         <translation>: utracona</translation>
     </message>
     <message>
-        <source>Rendered cameras: no packets to be sent again, no temperature.</source>
-        <translation>Kamery symulowane: bez ponawiania pakietów i temperatury.</translation>
-    </message>
-    <message>
         <source>Disk</source>
         <translation>Dysk</translation>
-    </message>
-    <message>
-        <source>%1 of %2 GB free</source>
-        <translation>wolne %1 z %2 GB</translation>
     </message>
     <message>
         <source>make room: nearly full</source>
@@ -1960,14 +2574,6 @@
     <message>
         <source>Archive</source>
         <translation>Archiwum</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>otwarte</translation>
-    </message>
-    <message>
-        <source>none: rails are not kept</source>
-        <translation>brak: szyny nie są zachowywane</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -1998,24 +2604,116 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <source>turn p99 %1 ms</source>
-        <translation>obieg p99 %1 ms</translation>
-    </message>
-    <message>
-        <source>p50 %1, largest %2, limit 50 ms</source>
-        <translation>p50 %1, największy %2, granica 50 ms</translation>
-    </message>
-    <message>
         <source>Screen</source>
         <translation>Ekran</translation>
     </message>
     <message>
-        <source>the window&apos;s thread</source>
-        <translation>wątek okna</translation>
+        <source>%1 is written.</source>
+        <translation>Zapisano %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>Nie można zapisać %1: %2</translation>
+        <source>How much of the support bundle is written</source>
+        <translation>Ile pliku serwisowego zapisano</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Ekspozycja</translation>
+    </message>
+    <message>
+        <source>%1 profiles lost</source>
+        <translation>utracone przekroje: %1</translation>
+    </message>
+    <message>
+        <source>%1 without points</source>
+        <translation>bez punktów: %1</translation>
+    </message>
+    <message>
+        <source>%1 profiles kept</source>
+        <translation>zachowane przekroje: %1</translation>
+    </message>
+    <message>
+        <source>rails are not kept</source>
+        <translation>szyny nie są zachowywane</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, %2 % of a core</source>
+        <translation>%1 obrazów/s, %2 % rdzenia</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Not available here, because these cameras are rendered: resends, incomplete frames, timeouts, temperature.</source>
+        <translation>Niedostępne, bo te kamery są symulowane: ponowne wysłania, niepełne klatki, przekroczenia czasu, temperatura.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 GB</source>
+        <translation>%1 z %2 GB</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nie podano</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s) kept</source>
+        <translation>
+            <numerusform>%n szyna zachowana</numerusform>
+            <numerusform>%n szyny zachowane</numerusform>
+            <numerusform>%n szyn zachowanych</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 MB, WAL %2 MB</source>
+        <translation>%1 MB, WAL %2 MB</translation>
+    </message>
+    <message>
+        <source>open, nothing is written</source>
+        <translation>otwarte, nic się nie zapisuje</translation>
+    </message>
+    <message>
+        <source>of %1 GB</source>
+        <translation>z %1 GB</translation>
+    </message>
+    <message>
+        <source>p99 %1 ms</source>
+        <translation>p99 %1 ms</translation>
+    </message>
+    <message>
+        <source>p50 %1, max %2</source>
+        <translation>p50 %1, maks %2</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>okno</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Where the support bundle is put</source>
+        <translation>Gdzie umieścić plik serwisowy</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Plik serwisowy…</translation>
+    </message>
+    <message>
+        <source>Cancel the support bundle</source>
+        <translation>Anuluj plik serwisowy</translation>
+    </message>
+    <message>
+        <source>Save a support bundle</source>
+        <translation>Zapisz plik serwisowy</translation>
     </message>
 </context>
 <context>
@@ -2090,6 +2788,236 @@
     <message>
         <source>Dimensions</source>
         <translation>Wymiary</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DriftPanel</name>
+    <message>
+        <source>Health</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>seams between the cameras on every rail</source>
+        <translation>styki między kamerami na każdej szynie</translation>
+    </message>
+    <message>
+        <source>Shift of each camera, rail by rail</source>
+        <translation>Przesunięcie każdej kamery, szyna po szynie</translation>
+    </message>
+    <message>
+        <source>Shift of each camera since its calibration</source>
+        <translation>Przesunięcie każdej kamery od jej kalibracji</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Przesun.</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Alarm above</source>
+        <translation>Alarm powyżej</translation>
+    </message>
+    <message>
+        <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
+        <translation>Nie przejechała jeszcze żadna szyna. Dryf kamer widać na stykach podczas zwykłej produkcji, bez płyty.</translation>
+    </message>
+    <message>
+        <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
+        <translation>Uczenie się styków: %1 z %2 szyn, odkąd obowiązuje ta kalibracja.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No camera has moved: %n rail(s) watched.</source>
+        <translation>
+            <numerusform>Żadna kamera się nie przesunęła: obserwowano %n szynę.</numerusform>
+            <numerusform>Żadna kamera się nie przesunęła: obserwowano %n szyny.</numerusform>
+            <numerusform>Żadna kamera się nie przesunęła: obserwowano %n szyn.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 moved</source>
+        <translation>%1 przesun.</translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation>szyna</translation>
+    </message>
+    <message>
+        <source>shift in </source>
+        <translation>przesun. w </translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>kamera %1</translation>
+    </message>
+    <message>
+        <source>alarm above</source>
+        <translation>alarm powyżej</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::EncoderPanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Enkoder</translation>
+    </message>
+    <message>
+        <source>Motion a pulse</source>
+        <translation>Ruch na impuls</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>Known length, first to last reading</source>
+        <translation>Znana długość, od 1. do ostatniego odczytu</translation>
+    </message>
+    <message>
+        <source>Known length, mm</source>
+        <translation>Znana długość, mm</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Jej niepewność standardowa</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length, mm</source>
+        <translation>Niepewność standardowa długości, mm</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, for training</source>
+        <translation>Poślizg drugiego, wirtualnego enkodera, do szkolenia</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, ppm</source>
+        <translation>Poślizg drugiego, wirtualnego enkodera, ppm</translation>
+    </message>
+    <message>
+        <source>Drive the rail</source>
+        <translation>Przesuń szynę</translation>
+    </message>
+    <message>
+        <source>Readings from a file…</source>
+        <translation>Odczyty z pliku…</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Niepewność standardowa</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Licznik</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Drugi</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Readings of the encoder</source>
+        <translation>Odczyty enkodera</translation>
+    </message>
+    <message>
+        <source>Slip along the way</source>
+        <translation>Poślizg na drodze</translation>
+    </message>
+    <message>
+        <source>Readings: count,x_mm,y_mm[,count2]</source>
+        <translation>Odczyty: count,x_mm,y_mm[,count2]</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the rail is driven by hand over a known length. Stop the line to go on.</source>
+        <translation>Zamknięte, gdy linia mierzy: szynę przesuwa się ręcznie o znaną długość. Zatrzymaj linię, aby kontynuować.</translation>
+    </message>
+    <message>
+        <source>A rail is driven over a length that is known, and the pulses are counted: where the light crosses it, it is seen as well.</source>
+        <translation>Szyna przejeżdża znaną długość, a impulsy są zliczane: widać też, gdzie przecina ją światło.</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>odczyt</translation>
+    </message>
+    <message>
+        <source>second behind first, pulses</source>
+        <translation>opóźnienie drugiego, impulsy</translation>
+    </message>
+    <message>
+        <source>Next: drive the rail over the known length.</source>
+        <translation>Dalej: przesuń szynę o znaną długość.</translation>
+    </message>
+    <message>
+        <source> µm a pulse</source>
+        <translation> µm na impuls</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>unknown: fewer than three readings</source>
+        <translation>nieznana: mniej niż trzy odczyty</translation>
+    </message>
+    <message>
+        <source>Along (V z)</source>
+        <translation>Wzdłuż (V z)</translation>
+    </message>
+    <message>
+        <source>Sideways (V x)</source>
+        <translation>W bok (V x)</translation>
+    </message>
+    <message>
+        <source>Upwards (V y)</source>
+        <translation>W górę (V y)</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Impulsy</translation>
+    </message>
+    <message>
+        <source>Slip of the second</source>
+        <translation>Poślizg drugiego</translation>
+    </message>
+    <message>
+        <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
+        <translation>Jeden z enkoderów ślizga się. Dalej: oczyść koła, dociśnij je i przejedź ponownie.</translation>
+    </message>
+    <message>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <translation>Jeden impuls to %1 µm szyny. Dalej: wpisz to tam, gdzie impulsy enkodera dzieli się na wyzwolenia.</translation>
     </message>
 </context>
 <context>
@@ -2196,6 +3124,331 @@
     <message>
         <source>Last rails</source>
         <translation>Ostatnie</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::LensWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Anulowanie…</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Obiektyw</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Przygotuj</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Pokrycie</translation>
+    </message>
+    <message>
+        <source>Parts of the picture that have been seen</source>
+        <translation>Już widziane części obrazu</translation>
+    </message>
+    <message>
+        <source>Picture of the target</source>
+        <translation>Obraz planszy</translation>
+    </message>
+    <message>
+        <source>Pictures taken</source>
+        <translation>Wykonane zdjęcia</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Skos</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Rozmycie</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Oblicz</translation>
+    </message>
+    <message>
+        <source>Lens models (Table III)</source>
+        <translation>Modele obiektywu (tab. III)</translation>
+    </message>
+    <message>
+        <source>Distortion model</source>
+        <translation>Model dystorsji</translation>
+    </message>
+    <message>
+        <source>Mean error px</source>
+        <translation>Błąd średni px</translation>
+    </message>
+    <message>
+        <source>RMS px</source>
+        <translation>RMS px</translation>
+    </message>
+    <message>
+        <source>Not seen before px</source>
+        <translation>Wcześniej niewidziane px</translation>
+    </message>
+    <message>
+        <source>Focal length mm</source>
+        <translation>Ogniskowa mm</translation>
+    </message>
+    <message>
+        <source>Lens models that were tried</source>
+        <translation>Wypróbowane modele obiektywu</translation>
+    </message>
+    <message>
+        <source>Coverage and residuals</source>
+        <translation>Pokrycie i reszty</translation>
+    </message>
+    <message>
+        <source>Points of all pictures</source>
+        <translation>Punkty wszystkich zdjęć</translation>
+    </message>
+    <message>
+        <source>Mean residual by place</source>
+        <translation>Średnia reszta wg miejsca</translation>
+    </message>
+    <message>
+        <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
+Target: %1, points within ±%2 µm.</source>
+        <translation>Płaską planszę z okręgami trzyma się przed jedną kamerą w narysowanym położeniu, zdjęcie po zdjęciu. Model obiektywu to najprostszy, który przewiduje zdjęcia, których nie widział.
+Plansza: %1, punkty w granicach ±%2 µm.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera whose lens is calibrated</source>
+        <translation>Kamera z kalibrowanym obiektywem</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Pictures: twelve cover a lens.</source>
+        <translation>Zdjęcia: dwanaście pokrywa obiektyw.</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>Liczba zdjęć</translation>
+    </message>
+    <message>
+        <source>Target to the right, mm</source>
+        <translation>Plansza w prawo, mm</translation>
+    </message>
+    <message>
+        <source>Target down, mm</source>
+        <translation>Plansza w dół, mm</translation>
+    </message>
+    <message>
+        <source>Distance of the target, mm</source>
+        <translation>Odległość planszy, mm</translation>
+    </message>
+    <message>
+        <source>Tilt up and down, degrees</source>
+        <translation>Pochylenie w górę i w dół, stopnie</translation>
+    </message>
+    <message>
+        <source>Tilt to the sides, degrees</source>
+        <translation>Pochylenie na boki, stopnie</translation>
+    </message>
+    <message>
+        <source>Turn of the target, degrees</source>
+        <translation>Obrót planszy, stopnie</translation>
+    </message>
+    <message>
+        <source>Hold as shown</source>
+        <translation>Ustaw jak pokazano</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>Zrób zdjęcie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Use with the plate</source>
+        <translation>Użyj z płytą</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Zapisz…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Zamknięte, gdy linia mierzy</translation>
+    </message>
+    <message>
+        <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>Kamera jest potrzebna do zdjęć planszy. Zatrzymaj linię, aby kontynuować; dotychczasowe zdjęcia zostają.</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Postęp obliczeń</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji. Uruchom program na układzie wirtualnym.</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Anulowano: nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>Lens of the camera</source>
+        <translation>Obiektyw kamery</translation>
+    </message>
+    <message>
+        <source>camera%1.toml</source>
+        <translation>camera%1.toml</translation>
+    </message>
+    <message>
+        <source>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</source>
+        <translation>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+    <message>
+        <source>camera and target</source>
+        <translation>kamera i plansza</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Zdjęcia</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>model chosen by the data</source>
+        <translation>model wybrany przez dane</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Wynik</translation>
+    </message>
+    <message>
+        <source>Table III, residuals</source>
+        <translation>Tabela III, reszty</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture</source>
+        <translation>%1 % obrazu</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Jeszcze brak.</translation>
+    </message>
+    <message>
+        <source>May be used, but: %1</source>
+        <translation>Można użyć, ale: %1</translation>
+    </message>
+    <message>
+        <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
+        <translation>Można użyć: błąd średni %1 px z modelem %2, wybranym na zdjęciach, których nie widział.</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1, wybrany</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Next: choose the camera.</source>
+        <translation>Dalej: wybierz kamerę.</translation>
+    </message>
+    <message>
+        <source>First picture</source>
+        <translation>Pierwsze zdjęcie</translation>
+    </message>
+    <message>
+        <source>Looking at the target…</source>
+        <translation>Podgląd planszy…</translation>
+    </message>
+    <message>
+        <source>This picture would be refused: %1</source>
+        <translation>To zdjęcie zostałoby odrzucone: %1</translation>
+    </message>
+    <message>
+        <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
+        <translation>To zdjęcie zostałoby odrzucone, bo pokazuje położenie ze zdjęcia %1; przesuń planszę do przerywanego zarysu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) found.</source>
+        <translation>
+            <numerusform>Znaleziono %n punkt.</numerusform>
+            <numerusform>Znaleziono %n punkty.</numerusform>
+            <numerusform>Znaleziono %n punktów.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: solve, or take more.</source>
+        <translation>Dalej: oblicz lub zrób więcej zdjęć.</translation>
+    </message>
+    <message>
+        <source>Working out which pose tells most…</source>
+        <translation>Szukanie położenia, które powie najwięcej…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
+        <translation>
+            <numerusform>Dalej: ustaw planszę w przerywanym zarysie i zrób zdjęcie; zostało %n.</numerusform>
+            <numerusform>Dalej: ustaw planszę w przerywanym zarysie i zrób zdjęcie; zostały %n.</numerusform>
+            <numerusform>Dalej: ustaw planszę w przerywanym zarysie i zrób zdjęcie; zostało %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: %1; %n to go.</source>
+        <translation>
+            <numerusform>Dalej: %1; zostało %n.</numerusform>
+            <numerusform>Dalej: %1; zostały %n.</numerusform>
+            <numerusform>Dalej: %1; zostało %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens models are adjusted and tried on pictures they have not seen.</source>
+        <translation>Modele obiektywu są wyrównywane i próbowane na zdjęciach, których nie widziały.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the result comes by itself.</source>
+        <translation>Dalej: nic do zrobienia; wynik pojawi się sam.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be used.</source>
+        <translation>Odrzucono: nie można użyć.</translation>
+    </message>
+    <message>
+        <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
+        <translation>Kreator dalmierzy używa tego obiektywu. Dalej: skalibruj dalmierze.</translation>
+    </message>
+    <message>
+        <source>Next: use it with the plate, or save it.</source>
+        <translation>Dalej: użyj go z płytą lub zapisz.</translation>
     </message>
 </context>
 <context>
@@ -2593,8 +3846,79 @@
         <translation>Kamera %1</translation>
     </message>
     <message>
-        <source>mean time of a stage, SD standard deviation, UCL upper limit of the 99 % confidence interval; of a queue now (dark), highest fill (mark) and size</source>
-        <translation>średni czas etapu, OS odchylenie standardowe, GGP górna granica przedziału ufności 99 %; kolejki: teraz (ciemne), najwyższe wypełnienie (znak) i rozmiar</translation>
+        <source>%1 points</source>
+        <translation>punkty: %1</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>dopasowany</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>niedopasowany</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dimension(s)</source>
+        <translation>
+            <numerusform>%n wymiar</numerusform>
+            <numerusform>%n wymiary</numerusform>
+            <numerusform>%n wymiarów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>OS %1</translation>
+    </message>
+    <message>
+        <source>99 % UCL %1</source>
+        <translation>GGP 99 % %1</translation>
+    </message>
+    <message>
+        <source>Consumers</source>
+        <translation>Odbiorcy</translation>
+    </message>
+    <message>
+        <source>in the queue now</source>
+        <translation>teraz w kolejce</translation>
+    </message>
+    <message>
+        <source>highest fill, of how many places</source>
+        <translation>największe zapełnienie, z ilu miejsc</translation>
+    </message>
+    <message>
+        <source>mean time, SD standard deviation, UCL upper limit of its 99 % confidence interval</source>
+        <translation>czas średni, OS odchylenie standardowe, GGP górna granica jego przedziału ufności 99 %</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::PlateView</name>
+    <message>
+        <source>no picture yet</source>
+        <translation>jeszcze brak obrazu</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>odrzucone</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins</source>
+        <translation>kołki: %1 z %2</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>no pin here</source>
+        <translation>brak kołka</translation>
+    </message>
+    <message>
+        <source>not found: %1</source>
+        <translation>nie znaleziono: %1</translation>
     </message>
 </context>
 <context>
@@ -2631,14 +3955,6 @@
         <translation>Zmierzone</translation>
     </message>
     <message>
-        <source>Rails that may be laid over each other</source>
-        <translation>Szyny, które można nałożyć na siebie</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Wymiar</translation>
-    </message>
-    <message>
         <source>Single profiles</source>
         <translation>Pojedyncze przekroje</translation>
     </message>
@@ -2663,14 +3979,6 @@
         <translation>Eksport…</translation>
     </message>
     <message>
-        <source>Export values and ranges as CSV</source>
-        <translation>Eksport wartości i rozstępów do CSV</translation>
-    </message>
-    <message>
-        <source>Values over the length</source>
-        <translation>Wartości na długości</translation>
-    </message>
-    <message>
         <source>as Fig. 9a</source>
         <translation>jak rys. 9a</translation>
     </message>
@@ -2679,52 +3987,8 @@
         <translation>Rozstęp przejazdów</translation>
     </message>
     <message>
-        <source>as Fig. 9b</source>
-        <translation>jak rys. 9b</translation>
-    </message>
-    <message>
         <source>Values of every run over the length</source>
         <translation>Wartości każdego przejazdu na długości</translation>
-    </message>
-    <message>
-        <source>Range of the runs over the length</source>
-        <translation>Rozstęp przejazdów na długości</translation>
-    </message>
-    <message>
-        <source>Mean range</source>
-        <translation>Średni rozstęp</translation>
-    </message>
-    <message>
-        <source>per 10 m, as Table VI</source>
-        <translation>na 10 m, jak tab. VI</translation>
-    </message>
-    <message>
-        <source>From – to, m</source>
-        <translation>Od – do, m</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Miejsca</translation>
-    </message>
-    <message>
-        <source>Mean range, section by section</source>
-        <translation>Średni rozstęp, odcinek po odcinku</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Liczby</translation>
-    </message>
-    <message>
-        <source>Figures of the study</source>
-        <translation>Liczby z badania</translation>
-    </message>
-    <message>
-        <source>Runs come from the archive, and there is none: %1. Start the program with --archive FILE.</source>
-        <translation>Przejazdy pochodzą z archiwum, a go nie ma: %1. Uruchomić program z --archive FILE.</translation>
-    </message>
-    <message>
-        <source>At least 2 runs of the same rail are needed, %1 chosen; the paper took 5.</source>
-        <translation>Potrzeba co najmniej 2 przejazdów tej samej szyny, wybrano %1; w artykule było 5.</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -2733,10 +3997,6 @@
     <message>
         <source>No rail has been kept yet. Runs of the same rail are compared here.</source>
         <translation>Nie zachowano jeszcze szyny. Tu porównuje się przejazdy tej samej szyny.</translation>
-    </message>
-    <message>
-        <source>Tick the runs that were made of the same rail, choose a dimension and compare.</source>
-        <translation>Zaznacz przejazdy tej samej szyny, wybierz wymiar i porównaj.</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -2751,60 +4011,352 @@
         <translation>rozstęp, %1</translation>
     </message>
     <message>
-        <source>Runs, positions</source>
-        <translation>Przejazdy, miejsca</translation>
-    </message>
-    <message>
-        <source>Repeatability s_r</source>
-        <translation>Powtarzalność s_r</translation>
-    </message>
-    <message>
-        <source>its 95 % interval</source>
-        <translation>jej przedział 95 %</translation>
-    </message>
-    <message>
-        <source>Limit r = 2.8 s_r</source>
-        <translation>Granica r = 2,8 s_r</translation>
-    </message>
-    <message>
-        <source>Largest range</source>
-        <translation>Największy rozstęp</translation>
-    </message>
-    <message>
-        <source>s from the range</source>
-        <translation>s z rozstępu</translation>
-    </message>
-    <message>
-        <source>Autocorrelation</source>
-        <translation>Autokorelacja</translation>
-    </message>
-    <message>
-        <source>%1, critical %2 (1 %)</source>
-        <translation>%1, krytyczna %2 (1 %)</translation>
-    </message>
-    <message>
-        <source>Grubbs, means of the runs</source>
-        <translation>Grubbs, średnie przejazdów</translation>
-    </message>
-    <message>
-        <source>Cochran, scatter of the runs</source>
-        <translation>Cochran, rozrzut przejazdów</translation>
-    </message>
-    <message>
-        <source>, %1 positions left out: a run lacks them</source>
-        <translation>, pominięto miejsca: %1 (brak w przejeździe)</translation>
-    </message>
-    <message>
         <source>Export as CSV</source>
         <translation>Eksport do CSV</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>Zapisano %1</translation>
+        <source>truth of the virtual rig</source>
+        <translation>prawda układu wirtualnego</translation>
+    </message>
+    <message numerus="yes">
+        <source>The inspections were cancelled; %n were whole.</source>
+        <translation>
+            <numerusform>Inspekcje anulowano; ukończono %n.</numerusform>
+            <numerusform>Inspekcje anulowano; ukończono %n.</numerusform>
+            <numerusform>Inspekcje anulowano; ukończono %n.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>Nie można zapisać %1</translation>
+        <source>Runs of one rail</source>
+        <translation>Przejazdy jednej szyny</translation>
+    </message>
+    <message>
+        <source>Reference values</source>
+        <translation>Wartości odniesienia</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Raport PDF</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Dokładność</translation>
+    </message>
+    <message>
+        <source>Rails of the archive</source>
+        <translation>Szyny z archiwum</translation>
+    </message>
+    <message>
+        <source>Runs from a file</source>
+        <translation>Przejazdy z pliku</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>Układ wirtualny</translation>
+    </message>
+    <message>
+        <source>Where the runs come from</source>
+        <translation>Skąd pochodzą przejazdy</translation>
+    </message>
+    <message>
+        <source>3 m of rail</source>
+        <translation>3 m szyny</translation>
+    </message>
+    <message>
+        <source>12 m of rail</source>
+        <translation>12 m szyny</translation>
+    </message>
+    <message>
+        <source>60 m of rail, as the paper</source>
+        <translation>60 m szyny, jak w artykule</translation>
+    </message>
+    <message>
+        <source>Length of the virtual rail</source>
+        <translation>Długość wirtualnej szyny</translation>
+    </message>
+    <message>
+        <source>Means over 0.5 m</source>
+        <translation>Średnie z 0,5 m</translation>
+    </message>
+    <message>
+        <source>Runs that may be laid over each other</source>
+        <translation>Przejazdy, które można nałożyć</translation>
+    </message>
+    <message>
+        <source>Open runs…</source>
+        <translation>Otwórz przejazdy…</translation>
+    </message>
+    <message>
+        <source>Open runs from a CSV file</source>
+        <translation>Otwórz przejazdy z pliku CSV</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>Otwórz odniesienie…</translation>
+    </message>
+    <message>
+        <source>Open reference values from a CSV file</source>
+        <translation>Otwórz wartości odniesienia z pliku CSV</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Raport…</translation>
+    </message>
+    <message>
+        <source>Report as PDF (Ctrl+P)</source>
+        <translation>Raport PDF (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>Export values as CSV</source>
+        <translation>Eksport wartości do CSV</translation>
+    </message>
+    <message>
+        <source>Export values as CSV (Ctrl+E)</source>
+        <translation>Eksport wartości do CSV (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>Progress of the inspections</source>
+        <translation>Postęp inspekcji</translation>
+    </message>
+    <message>
+        <source>What the runs differ by over the length</source>
+        <translation>Czym różnią się przejazdy na długości</translation>
+    </message>
+    <message>
+        <source>Every dimension; the chosen one is drawn</source>
+        <translation>Każdy wymiar; rysowany jest wybrany</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Wynik</translation>
+    </message>
+    <message>
+        <source>Figures of the chosen dimension, formulas and constants</source>
+        <translation>Liczby wybranego wymiaru, wzory i stałe</translation>
+    </message>
+    <message>
+        <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
+        <translation>Zapisane przejazdy pochodzą z archiwum, a go nie ma (%1): uruchom program z --archive FILE albo wybierz wyżej plik lub układ wirtualny.</translation>
+    </message>
+    <message>
+        <source>virtual rig</source>
+        <translation>układ wirtualny</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>przejazd %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Inspect the rail five times</source>
+        <translation>Zbadaj szynę pięć razy</translation>
+    </message>
+    <message>
+        <source>Cancel the inspections</source>
+        <translation>Anuluj inspekcje</translation>
+    </message>
+    <message>
+        <source>Inspect the same virtual rail five times</source>
+        <translation>Zbadaj pięć razy tę samą wirtualną szynę</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R)</source>
+        <translation>Najpierw zatrzymaj linię (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
+        <translation>Najpierw zatrzymaj linię (Ctrl+R): oba zadania wymagają wszystkich procesorów, a badanie nie może zgubić wyzwolenia.</translation>
+    </message>
+    <message>
+        <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
+        <translation>Dokładność wymaga odniesienia: otwórz CSV z kolumnami dimension, position_m, value i, jeśli znane, u.</translation>
+    </message>
+    <message>
+        <source>At least 1 run is needed, none is chosen.</source>
+        <translation>Potrzebny jest co najmniej 1 przejazd, brak wybranych.</translation>
+    </message>
+    <message>
+        <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
+        <translation>Potrzebne są co najmniej 2 przejazdy tej samej szyny, wybrano: %1; dobierz jeszcze %2. W artykule było 5.</translation>
+    </message>
+    <message>
+        <source>stored rails, same rail and gauge</source>
+        <translation>zapisane szyny, ta sama szyna i przyrząd</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>plik %1</translation>
+    </message>
+    <message>
+        <source>virtual rig, exact calibration, other wander, vibration, scale, speckle and noise in every run</source>
+        <translation>układ wirtualny, dokładna kalibracja, w każdym przejeździe inne zbaczanie, drgania, zgorzelina, plamkowanie i szum</translation>
+    </message>
+    <message>
+        <source>The same rail is inspected five times …</source>
+        <translation>Ta sama szyna jest badana pięć razy …</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>Warunki: %1.</translation>
+    </message>
+    <message>
+        <source>Tick the runs that were made of the same rail and compare.</source>
+        <translation>Zaznacz przejazdy tej samej szyny i porównaj.</translation>
+    </message>
+    <message>
+        <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
+        <translation>CSV z kolumnami run, position_m i wymiarami, jak zapisuje inspect --csv.</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors.</source>
+        <translation>Najpierw zatrzymaj linię (Ctrl+R): oba wymagają wszystkich procesorów.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>Doświadczenie z artykułu: jedna szyna, pięć inspekcji, znana prawda.</translation>
+    </message>
+    <message>
+        <source>No runs are compared yet</source>
+        <translation>Nie porównano jeszcze przejazdów</translation>
+    </message>
+    <message>
+        <source>%1 over the length</source>
+        <translation>%1 na długości</translation>
+    </message>
+    <message>
+        <source>largest minus smallest at each position, as Fig. 9b</source>
+        <translation>największa minus najmniejsza w każdym położeniu, jak rys. 9b</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>oczekiwana</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>granica dolna</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>granica górna</translation>
+    </message>
+    <message>
+        <source>mean of %1 m</source>
+        <translation>średnia z %1 m</translation>
+    </message>
+    <message>
+        <source>Error of %1 over the length</source>
+        <translation>Błąd %1 na długości</translation>
+    </message>
+    <message>
+        <source>value minus reference, mean of the runs; %1</source>
+        <translation>wartość minus odniesienie, średnia przejazdów; %1</translation>
+    </message>
+    <message>
+        <source>value minus reference</source>
+        <translation>wartość minus odniesienie</translation>
+    </message>
+    <message>
+        <source>Largest error at each position</source>
+        <translation>Największy błąd w każdym położeniu</translation>
+    </message>
+    <message>
+        <source>of any run</source>
+        <translation>z przejazdów</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>największy</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>brak błędu</translation>
+    </message>
+    <message>
+        <source>limit of agreement</source>
+        <translation>granica zgodności</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>błąd, %1</translation>
+    </message>
+    <message>
+        <source>Dim.</source>
+        <translation>Wym.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>% T</source>
+        <translation>% T</translation>
+    </message>
+    <message>
+        <source>Mean range per %1 m</source>
+        <translation>Średni rozstęp na %1 m</translation>
+    </message>
+    <message>
+        <source>as Table VI</source>
+        <translation>jak tab. VI</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI; the stretches are in the report</source>
+        <translation>%1, jak tab. VI; odcinki są w raporcie</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI</source>
+        <translation>%1, jak tab. VI</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>obciąż.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Błędy</translation>
+    </message>
+    <message>
+        <source>%1, as Table V</source>
+        <translation>%1, jak tab. V</translation>
+    </message>
+    <message>
+        <source>as Table V</source>
+        <translation>jak tab. V</translation>
+    </message>
+    <message>
+        <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
+        <translation>Tu pojawiają się ocena, liczby, wzory i stałe po porównaniu przejazdów.</translation>
+    </message>
+    <message>
+        <source>figures of %1</source>
+        <translation>liczby dla %1</translation>
+    </message>
+    <message>
+        <source>writing …</source>
+        <translation>zapis …</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>Zapisano %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Nie można zapisać %1.</translation>
     </message>
 </context>
 <context>
@@ -2977,10 +4529,6 @@
         <translation>trwa</translation>
     </message>
     <message>
-        <source>inside</source>
-        <translation>w granicach</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 z %2</translation>
     </message>
@@ -3113,10 +4661,6 @@
         <translation>Nic nie jest zachowywane. Bieżące szyny widać tylko na Monitorze.</translation>
     </message>
     <message>
-        <source>kept: %1 rails, %2 profiles waiting</source>
-        <translation>zachowane szyny: %1, oczekujące przekroje: %2</translation>
-    </message>
-    <message>
         <source>; %1 profiles lost</source>
         <translation>; utracone przekroje: %1</translation>
     </message>
@@ -3127,6 +4671,18 @@
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
         <translation>Nie można zapisywać: %1. Przejazdy czekają w pamięci.</translation>
+    </message>
+    <message>
+        <source>kept since the start: %1 rails; %2 profiles wait</source>
+        <translation>zachowane od startu: szyny %1; czekają przekroje: %2</translation>
+    </message>
+    <message>
+        <source>nearest to a limit, inside</source>
+        <translation>najbliżej granicy, wewnątrz</translation>
+    </message>
+    <message>
+        <source>furthest beyond a limit, mm</source>
+        <translation>najdalej poza granicą, mm</translation>
     </message>
 </context>
 <context>
@@ -3370,12 +4926,748 @@
         <source>%1 is written</source>
         <translation>Zapisano %1</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>Profil…</translation>
+    </message>
+    <message>
+        <source>Draw the section, or bring one along from a drawing</source>
+        <translation>Narysuj profil lub wczytaj go z rysunku</translation>
+    </message>
+    <message>
+        <source>What if…</source>
+        <translation>Co jeśli…</translation>
+    </message>
+    <message>
+        <source>Judge stored rails by the chosen recipe</source>
+        <translation>Oceń zapisane szyny wybraną recepturą</translation>
+    </message>
+    <message>
+        <source>Use for the next rail</source>
+        <translation>Użyj od następnej</translation>
+    </message>
+    <message>
+        <source>Use the chosen recipe for the next rail</source>
+        <translation>Użyj wybranej receptury dla następnej szyny</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>Parameters of dimensions and settings of the stages</source>
+        <translation>Parametry wymiarów i ustawienia etapów</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ustawienie</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen recipe</source>
+        <translation>Ustawienia wybranej receptury</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Name of the draft; another name makes a copy</source>
+        <translation>Nazwa szkicu; inna nazwa tworzy kopię</translation>
+    </message>
+    <message>
+        <source>On the line: %1 v%2.</source>
+        <translation>Na linii: %1 v%2.</translation>
+    </message>
+    <message>
+        <source>From the next rail: %1.</source>
+        <translation>Od następnej szyny: %1.</translation>
+    </message>
+    <message>
+        <source>Only an approved recipe is measured with.</source>
+        <translation>Mierzy się tylko zatwierdzoną recepturą.</translation>
+    </message>
+    <message>
+        <source>%1: the value is not of its kind.</source>
+        <translation>%1: wartość nie jest właściwego rodzaju.</translation>
+    </message>
+    <message>
+        <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
+        <translation>%1 v%2 obowiązuje od następnej szyny; szyna w przyrządzie zachowuje to, z czym zaczęła.</translation>
+    </message>
+    <message>
+        <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
+        <translation>„Co jeśli” wymaga co najmniej %1 zapisanych szyn profilu %2, a jest ich %3: najpierw zmierz więcej.</translation>
+    </message>
+    <message>
+        <source>Recipes are read, drafts cannot be kept: %1.</source>
+        <translation>Receptury są odczytywane, szkiców nie można zachować: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ReferencePanel</name>
+    <message>
+        <source>Reference piece</source>
+        <translation>Element wzorcowy</translation>
+    </message>
+    <message>
+        <source>Certificate and gauge</source>
+        <translation>Certyfikat i przyrząd</translation>
+    </message>
+    <message>
+        <source>Profiles that are averaged</source>
+        <translation>Uśredniane przekroje</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Postęp sprawdzania</translation>
+    </message>
+    <message>
+        <source>Measure the piece</source>
+        <translation>Zmierz element</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Anulowano: nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
+        <translation>Zamknięte, gdy linia mierzy: element stoi tam, gdzie przejeżdża szyna. Zatrzymaj linię, aby kontynuować.</translation>
+    </message>
+    <message>
+        <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
+        <translation>Do przyrządu wkłada się odcinek profilu z certyfikatem i mierzy z obowiązującą kalibracją. W układzie wirtualnym jest to element wirtualny, którego prawdą jest jego certyfikat (U = 2 µm).</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Pomiar…</translation>
+    </message>
+    <message>
+        <source>Next: measure the piece.</source>
+        <translation>Dalej: zmierz element.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
+        <translation>
+            <numerusform>Przyrząd zgadza się z certyfikatem w każdym wymiarze, na podstawie %n przekroju.</numerusform>
+            <numerusform>Przyrząd zgadza się z certyfikatem w każdym wymiarze, na podstawie %n przekrojów.</numerusform>
+            <numerusform>Przyrząd zgadza się z certyfikatem w każdym wymiarze, na podstawie %n przekrojów.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
+        <translation>Przyrząd nie zgadza się z certyfikatem. Dalej: oczyść element i zmierz ponownie; jeśli to się utrzymuje, skalibruj dalmierze.</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Wymiar</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>Certyfikat %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>Zmierzone %1</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Deviation over U</source>
+        <translation>Odchyłka / U</translation>
+    </message>
+    <message>
+        <source>%1, differs</source>
+        <translation>%1, różni się</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>nie zmierzono: %1</translation>
+    </message>
 </context>
 <context>
     <name>vignole::ReplayCanvas</name>
     <message>
         <source>Profile of the stored rail</source>
         <translation>Przekrój zapisanej szyny</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Anulowanie…</translation>
+    </message>
+    <message>
+        <source>Range finders</source>
+        <translation>Dalmierze</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Co to znaczy</translation>
+    </message>
+    <message>
+        <source>Fit to the pins</source>
+        <translation>Dopasowanie do kołków</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Przygotuj</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Oblicz</translation>
+    </message>
+    <message>
+        <source>Pins found (Fig. 8d)</source>
+        <translation>Znalezione kołki (rys. 8d)</translation>
+    </message>
+    <message>
+        <source>circles: the pins as found; points: the lines of the first placement</source>
+        <translation>okręgi: znalezione kołki; punkty: linie pierwszego ułożenia</translation>
+    </message>
+    <message>
+        <source>Pins in the world</source>
+        <translation>Kołki w przestrzeni</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Sprawdzenia</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>Wprowadź w życie</translation>
+    </message>
+    <message>
+        <source>How often the plate is put down: four find an error of the plate as well.</source>
+        <translation>Ile razy układa się płytę: cztery ujawniają też błąd samej płyty.</translation>
+    </message>
+    <message>
+        <source>Number of placements</source>
+        <translation>Liczba ułożeń</translation>
+    </message>
+    <message>
+        <source>The virtual plate, for training</source>
+        <translation>Płyta wirtualna, do szkolenia</translation>
+    </message>
+    <message>
+        <source>is as its certificate says</source>
+        <translation>jest zgodna z certyfikatem</translation>
+    </message>
+    <message>
+        <source>is the mirror image of its file</source>
+        <translation>jest lustrzanym odbiciem pliku</translation>
+    </message>
+    <message>
+        <source>is not the one of the certificate</source>
+        <translation>nie jest tą z certyfikatu</translation>
+    </message>
+    <message>
+        <source>has lost pin 4</source>
+        <translation>straciła kołek 4</translation>
+    </message>
+    <message>
+        <source>Virtual plate</source>
+        <translation>Płyta wirtualna</translation>
+    </message>
+    <message>
+        <source>Plate to the right, mm</source>
+        <translation>Płyta w prawo, mm</translation>
+    </message>
+    <message>
+        <source>Plate up, mm</source>
+        <translation>Płyta w górę, mm</translation>
+    </message>
+    <message>
+        <source>Plate turned anticlockwise, degrees</source>
+        <translation>Płyta obrócona w lewo, stopnie</translation>
+    </message>
+    <message>
+        <source>Plate tilted out of the light, degrees</source>
+        <translation>Płyta wychylona ze światła, stopnie</translation>
+    </message>
+    <message>
+        <source>tilt </source>
+        <translation>pochyl. </translation>
+    </message>
+    <message>
+        <source>Place as shown</source>
+        <translation>Ułóż jak pokazano</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Take again</source>
+        <translation>Powtórz</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Raport…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Zamknięte, gdy linia mierzy</translation>
+    </message>
+    <message>
+        <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>Płyta stoi tam, gdzie przejeżdża szyna, a kamery są potrzebne. Zatrzymaj linię, aby kontynuować; dotychczasowe zdjęcia zostają.</translation>
+    </message>
+    <message>
+        <source>To be repeated after so many days (0: never)</source>
+        <translation>Powtórzyć po tylu dniach (0: nigdy)</translation>
+    </message>
+    <message>
+        <source>Days after which the calibration is to be repeated</source>
+        <translation>Dni, po których należy powtórzyć kalibrację</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>Reason for the new calibration</source>
+        <translation>Powód nowej kalibracji</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>Postęp obliczeń</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Centre (CD)</source>
+        <translation>Środek (CD)</translation>
+    </message>
+    <message>
+        <source>Radius (RD)</source>
+        <translation>Promień (RD)</translation>
+    </message>
+    <message>
+        <source>Points (PD)</source>
+        <translation>Punkty (PD)</translation>
+    </message>
+    <message>
+        <source>Table IV: fit to the pins</source>
+        <translation>Tabela IV: dopasowanie do kołków</translation>
+    </message>
+    <message>
+        <source>Checks of the new calibration</source>
+        <translation>Sprawdzenia nowej kalibracji</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji. Uruchom program na układzie wirtualnym.</translation>
+    </message>
+    <message>
+        <source>Four cameras together…</source>
+        <translation>Cztery kamery razem…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Anulowano: nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>%1 is in force: the line measures with it from the next rail on.</source>
+        <translation>%1 obowiązuje: linia mierzy nią od następnej szyny.</translation>
+    </message>
+    <message>
+        <source>Report of the calibration</source>
+        <translation>Raport kalibracji</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+    <message>
+        <source>turned and moved</source>
+        <translation>obrócona i przesunięta</translation>
+    </message>
+    <message>
+        <source>turned 180°</source>
+        <translation>obrócona o 180°</translation>
+    </message>
+    <message>
+        <source>moved %1 mm</source>
+        <translation>przesunięta o %1 mm</translation>
+    </message>
+    <message>
+        <source>as drawn, 0°</source>
+        <translation>jak na rysunku, 0°</translation>
+    </message>
+    <message>
+        <source>plate and cameras</source>
+        <translation>płyta i kamery</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>Ułożenie %1</translation>
+    </message>
+    <message>
+        <source>four cameras together</source>
+        <translation>cztery kamery razem</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porównaj</translation>
+    </message>
+    <message>
+        <source>old and new</source>
+        <translation>stara i nowa</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Zastosuj</translation>
+    </message>
+    <message>
+        <source>reason and signature</source>
+        <translation>powód i podpis</translation>
+    </message>
+    <message>
+        <source>placement %1 of %2</source>
+        <translation>ułożenie %1 z %2</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2) w %1</translation>
+    </message>
+    <message>
+        <source>mean / max in %1</source>
+        <translation>średnia / maks w %1</translation>
+    </message>
+    <message>
+        <source>Plate, %1</source>
+        <translation>Płyta, %1</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Płyta</translation>
+    </message>
+    <message>
+        <source>%1, U = 3 µm, pins towards the cameras</source>
+        <translation>%1, U = 3 µm, kołki w stronę kamer</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens as calibrated in this session</source>
+        <translation>Kamera %1: obiektyw skalibrowany w tej sesji</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens of the calibration in force</source>
+        <translation>Kamera %1: obiektyw z obowiązującej kalibracji</translation>
+    </message>
+    <message>
+        <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
+
+%1</source>
+        <translation>Płytę z 13 kołkami wkłada się do przyrządu tam, gdzie przejeżdża szyna, kołkami w stronę kamer, i między zdjęciami obraca się ją i przesuwa. Nic nie jest stosowane, zanim stara i nowa nie zostaną porównane, a zmiana potwierdzona.
+
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes the place of %2 from the next rail on. Both are kept and can be compared and put back.</source>
+        <translation>%1 zastępuje %2 od następnej szyny. Obie są zachowane i można je porównać lub przywrócić.</translation>
+    </message>
+    <message>
+        <source>could not be asked</source>
+        <translation>nie można było sprawdzić</translation>
+    </message>
+    <message>
+        <source>%1, within %2</source>
+        <translation>%1, w granicy %2</translation>
+    </message>
+    <message>
+        <source>%1, above %2</source>
+        <translation>%1, powyżej %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 w prawo</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 w lewo</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 w górę</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 w dół</translation>
+    </message>
+    <message>
+        <source>turned by %1° anticlockwise</source>
+        <translation>obrót o %1° w lewo</translation>
+    </message>
+    <message>
+        <source>turned by %1° clockwise</source>
+        <translation>obrót o %1° w prawo</translation>
+    </message>
+    <message>
+        <source>Next: move the plate to the dashed outlines: %1.</source>
+        <translation>Dalej: przesuń płytę do przerywanych zarysów: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Next: put the plate into the gauge.</source>
+        <translation>Dalej: włóż płytę do przyrządu.</translation>
+    </message>
+    <message>
+        <source>First placement</source>
+        <translation>Pierwsze ułożenie</translation>
+    </message>
+    <message>
+        <source>Next placement</source>
+        <translation>Następne ułożenie</translation>
+    </message>
+    <message>
+        <source>Looking at the plate…</source>
+        <translation>Podgląd płyty…</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins found</source>
+        <translation>znalezione kołki: %1 z %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n picture(s) refused</source>
+        <translation>
+            <numerusform>, odrzucono %n zdjęcie</numerusform>
+            <numerusform>, odrzucono %n zdjęcia</numerusform>
+            <numerusform>, odrzucono %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All four cameras see the plate where it must lie. Next: “%1”.</source>
+        <translation>Wszystkie cztery kamery widzą płytę tam, gdzie powinna leżeć. Dalej: „%1”.</translation>
+    </message>
+    <message>
+        <source>The poses of four cameras are found together with the pins.</source>
+        <translation>Położenia czterech kamer są wyznaczane razem z kołkami.</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the comparison comes by itself.</source>
+        <translation>Dalej: nic do zrobienia; porównanie pojawi się samo.</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be put in force.</source>
+        <translation>Odrzucono: nie można jej wprowadzić w życie.</translation>
+    </message>
+    <message>
+        <source>May be used: every check is within its limit.</source>
+        <translation>Można użyć: każde sprawdzenie mieści się w granicy.</translation>
+    </message>
+    <message numerus="yes">
+        <source>May be used, but %n dimension(s) get more than is allowed.</source>
+        <translation>
+            <numerusform>Można użyć, ale %n wymiar ma więcej, niż wolno.</numerusform>
+            <numerusform>Można użyć, ale %n wymiary mają więcej, niż wolno.</numerusform>
+            <numerusform>Można użyć, ale %n wymiarów ma więcej, niż wolno.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
+        <translation>Dalej: porównaj po prawej starą i nową. Nic nie jest stosowane przed potwierdzeniem.</translation>
+    </message>
+    <message>
+        <source>Done. Next: start the line and watch the first rail.</source>
+        <translation>Gotowe. Dalej: uruchom linię i obserwuj pierwszą szynę.</translation>
+    </message>
+    <message>
+        <source>Next: give the reason and put it in force.</source>
+        <translation>Dalej: podaj powód i wprowadź ją w życie.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDialog</name>
+    <message>
+        <source>Drawing of a section</source>
+        <translation>Rysunek profilu</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Section with its primitives named</source>
+        <translation>Profil z nazwanymi prymitywami</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Długość, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Promień, mm</translation>
+    </message>
+    <message>
+        <source>Primitives of the section</source>
+        <translation>Prymitywy profilu</translation>
+    </message>
+    <message>
+        <source>Name of the section</source>
+        <translation>Nazwa profilu</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasa</translation>
+    </message>
+    <message>
+        <source>Profile and straightness class of its recipe</source>
+        <translation>Klasa profilu i prostości jego receptury</translation>
+    </message>
+    <message>
+        <source>Open a drawing…</source>
+        <translation>Otwórz rysunek…</translation>
+    </message>
+    <message>
+        <source>Open a drawing of a section</source>
+        <translation>Otwórz rysunek profilu</translation>
+    </message>
+    <message>
+        <source>Make a draft of it</source>
+        <translation>Utwórz szkic</translation>
+    </message>
+    <message>
+        <source>Keep the section and make a draft of it</source>
+        <translation>Zachowaj profil i utwórz z niego szkic</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could be drawn.</source>
+        <translation>W tym pliku nie ma nic do narysowania.</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Odrzucono: %1</translation>
+    </message>
+    <message>
+        <source>QA makes drafts: sign in.</source>
+        <translation>Szkice tworzy kontrola: zaloguj się.</translation>
+    </message>
+    <message>
+        <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
+        <translation>Otwórz rysunek: jeden zamknięty zarys z linii i łuków, szyna stojąca.</translation>
+    </message>
+    <message>
+        <source>DXF, JSON or a MiniProf design</source>
+        <translation>DXF, JSON lub projekt MiniProf</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 mm high, %2 cm², %3 kg/m, %4; %n primitive(s)</source>
+        <translation>
+            <numerusform>%1 mm wysokości, %2 cm², %3 kg/m, %4; %n prymityw</numerusform>
+            <numerusform>%1 mm wysokości, %2 cm², %3 kg/m, %4; %n prymitywy</numerusform>
+            <numerusform>%1 mm wysokości, %2 cm², %3 kg/m, %4; %n prymitywów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>symetryczny</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>asymetryczny</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>łuk</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>odcinek</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
+        <translation>Nazwa ma litery, cyfry, spacje, kropki i łączniki: staje się nazwą pliku.</translation>
+    </message>
+    <message>
+        <source>%1 is a section of the catalogue: give yours another name.</source>
+        <translation>%1 to profil z katalogu: nadaj swojemu inną nazwę.</translation>
+    </message>
+    <message>
+        <source>There is another section of the name %1: give a new name.</source>
+        <translation>Istnieje inny profil o nazwie %1: podaj nową nazwę.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDrawing</name>
+    <message>
+        <source>free end</source>
+        <translation>wolny koniec</translation>
+    </message>
+    <message>
+        <source>open here: %1 mm</source>
+        <translation>tu otwarte: %1 mm</translation>
     </message>
 </context>
 <context>
@@ -3575,6 +5867,13 @@ Zachowane szyny: %2.</translation>
     </message>
 </context>
 <context>
+    <name>vignole::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Krok %1 z %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>vignole::StripChart</name>
     <message>
         <source>%1 along the rail: %2</source>
@@ -3619,101 +5918,29 @@ Zachowane szyny: %2.</translation>
         <source>no picture yet</source>
         <translation>jeszcze brak obrazu</translation>
     </message>
+    <message>
+        <source>upper left</source>
+        <translation>lewa górna</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>prawa górna</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>prawa dolna</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>lewa dolna</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
 </context>
 <context>
     <name>vignole::StripesPage</name>
-    <message>
-        <source>Line extraction</source>
-        <translation>Ekstrakcja linii</translation>
-    </message>
-    <message>
-        <source>Smoothing σ</source>
-        <translation>Wygładzanie σ</translation>
-    </message>
-    <message>
-        <source>Low threshold t_l</source>
-        <translation>Próg dolny t_l</translation>
-    </message>
-    <message>
-        <source>High threshold t_h</source>
-        <translation>Próg górny t_h</translation>
-    </message>
-    <message>
-        <source>Link distance d</source>
-        <translation>Odległość łączenia d</translation>
-    </message>
-    <message>
-        <source>Link angle α</source>
-        <translation>Kąt łączenia α</translation>
-    </message>
-    <message>
-        <source>%1 on trial</source>
-        <translation>%1 na próbę</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>W użyciu</translation>
-    </message>
-    <message>
-        <source>On trial</source>
-        <translation>Na próbę</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Różnica</translation>
-    </message>
-    <message>
-        <source>In use against on trial</source>
-        <translation>W użyciu a na próbę</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Zapisz obraz…</translation>
-    </message>
-    <message>
-        <source>Save the picture of the chosen camera</source>
-        <translation>Zapisz obraz wybranej kamery</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Odrzuć</translation>
-    </message>
-    <message>
-        <source>Discard what is on trial</source>
-        <translation>Odrzuć próbę</translation>
-    </message>
-    <message>
-        <source>Use from next start</source>
-        <translation>Użyj od nast. startu</translation>
-    </message>
-    <message>
-        <source>Use what is on trial from the next start of the line</source>
-        <translation>Użyj próby od następnego startu linii</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Powód</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>Powód zmiany</translation>
-    </message>
-    <message>
-        <source>Live again</source>
-        <translation>Znów na żywo</translation>
-    </message>
-    <message>
-        <source>Freeze</source>
-        <translation>Zamroź</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures</source>
-        <translation>Zamroź obrazy</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures (P)</source>
-        <translation>Zamroź obrazy (P)</translation>
-    </message>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
         <translation>Próba działa tylko na te obrazy, dopóki nie zostanie zastosowana.</translation>
@@ -3721,14 +5948,6 @@ Zachowane szyny: %2.</translation>
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
         <translation>Próbować może każdy; stosuje zalogowany technik.</translation>
-    </message>
-    <message>
-        <source>lost: %1</source>
-        <translation>utracona: %1</translation>
-    </message>
-    <message>
-        <source>held, %1 old</source>
-        <translation>wstrzymane, sprzed %1</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3747,48 +5966,214 @@ Zachowane szyny: %2.</translation>
         <translation>Zmiana pomiaru wymaga powodu.</translation>
     </message>
     <message>
-        <source>Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what it began with.</source>
-        <translation>Obowiązuje od następnego startu linii (Ctrl+R zatrzymuje i uruchamia); bieżąca szyna zachowuje dotychczasowe.</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>kamera %1</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkty</translation>
-    </message>
-    <message>
-        <source>Saturated, %</source>
-        <translation>Przesycone, %</translation>
-    </message>
-    <message>
-        <source>Uncertainty, px</source>
-        <translation>Niepewność, px</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Czas, ms</translation>
-    </message>
-    <message>
-        <source>Mean shift, px</source>
-        <translation>Średnie przesunięcie, px</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>Zapisano %1</translation>
+        <source>Lost: %1</source>
+        <translation>Utracona: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>Nie można zapisać %1</translation>
+        <source>Held</source>
+        <translation>Wstrzymane</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Kamera %1</translation>
+        <source>The line has not been started (Ctrl+R).</source>
+        <translation>Linii nie uruchomiono (Ctrl+R).</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>sprzed %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is no longer held: the last %n are.</source>
+        <translation>
+            <numerusform>Obrazu już nie ma: zachowany jest tylko ostatni (%n).</numerusform>
+            <numerusform>Obrazu już nie ma: zachowane są ostatnie %n.</numerusform>
+            <numerusform>Obrazu już nie ma: zachowanych jest ostatnich %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Brak obrazu: %1</translation>
+    </message>
+    <message>
+        <source>Pictures behind the profile at %1 m.</source>
+        <translation>Obrazy przekroju na %1 m.</translation>
+    </message>
+    <message>
+        <source>Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Czeka na następną szynę; bieżąca szyna zachowuje to, z czym zaczęła.</translation>
+    </message>
+    <message>
+        <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
+        <translation>Nie ma archiwum, więc zmiany nie można było zapisać: niczego nie zmieniono.</translation>
+    </message>
+    <message>
+        <source>The change is being recorded…</source>
+        <translation>Trwa zapis zmiany…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, because it could not be recorded: %1</source>
+        <translation>Niczego nie zmieniono, bo nie można było tego zapisać: %1</translation>
+    </message>
+    <message>
+        <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
+        <translation>Zapisano. Ekspozycja zmieni się przy następnym uruchomieniu linii, parametry z następną szyną.</translation>
+    </message>
+    <message>
+        <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>Zapisano. Czeka na następną szynę; bieżąca szyna zachowuje to, z czym zaczęła.</translation>
+    </message>
+    <message>
+        <source>Camera %1 has no picture to save.</source>
+        <translation>Kamera %1 nie ma obrazu do zapisania.</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Obrazy (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Zapis %1…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>Zapisano %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>Nie można zapisać %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::StudyPanel</name>
+    <message>
+        <source>Parameter study</source>
+        <translation>Badanie parametrów</translation>
+    </message>
+    <message>
+        <source>Main effects</source>
+        <translation>Efekty główne</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ustawienie</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Poziomy</translation>
+    </message>
+    <message>
+        <source>Settings and their levels</source>
+        <translation>Ustawienia i ich poziomy</translation>
+    </message>
+    <message>
+        <source>Influence of each setting</source>
+        <translation>Wpływ każdego ustawienia</translation>
+    </message>
+    <message>
+        <source>Placements of the plate</source>
+        <translation>Ułożenia płyty</translation>
+    </message>
+    <message>
+        <source>Placements of the plate for the study</source>
+        <translation>Ułożenia płyty do badania</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Postęp badania</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>Rozpocznij badanie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Raport…</translation>
+    </message>
+    <message>
+        <source>settings and levels</source>
+        <translation>ustawienia i poziomy</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>Anulowano: nic się nie zmieniło.</translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation>Raport z badania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji.</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
+        <translation>Zamknięte, gdy linia mierzy: płyta stoi tam, gdzie przejeżdża szyna. Zatrzymaj linię, aby kontynuować.</translation>
+    </message>
+    <message>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>Każda kombinacja poziomów to kalibracja metodą z artykułu na zdjęciach płyty. Poziomy oddziela się przecinkami; jeden poziom lub żaden: ustawienie się nie zmienia.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Obliczanie…</translation>
+    </message>
+    <message>
+        <source>Next: choose levels and start.</source>
+        <translation>Dalej: wybierz poziomy i rozpocznij.</translation>
+    </message>
+    <message>
+        <source>Exposure, ms</source>
+        <translation>Ekspozycja, ms</translation>
+    </message>
+    <message>
+        <source>Smoothing σ, px</source>
+        <translation>Wygładzanie σ, px</translation>
+    </message>
+    <message>
+        <source>Ellipses a pin</source>
+        <translation>Elipsy na kołek</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Dopasowanie</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SupportBundle</name>
+    <message>
+        <source>is there already</source>
+        <translation>już istnieje</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>nie można utworzyć</translation>
+    </message>
+    <message>
+        <source>cancelled: nothing is left of it</source>
+        <translation>anulowano: nic z niego nie zostało</translation>
     </message>
 </context>
 <context>
@@ -3827,6 +6212,181 @@ Zachowane szyny: %2.</translation>
     <message>
         <source>Begin</source>
         <translation>Zaczynaj</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::TrialPanel</name>
+    <message>
+        <source>Line extraction</source>
+        <translation>Ekstrakcja linii</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Ekspozycja</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Wygładzanie</translation>
+    </message>
+    <message>
+        <source>Low threshold</source>
+        <translation>Próg dolny</translation>
+    </message>
+    <message>
+        <source>High threshold</source>
+        <translation>Próg górny</translation>
+    </message>
+    <message>
+        <source>Link distance</source>
+        <translation>Odl. łączenia</translation>
+    </message>
+    <message>
+        <source>Link angle</source>
+        <translation>Kąt łączenia</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parametr</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>W użyciu</translation>
+    </message>
+    <message>
+        <source>On trial</source>
+        <translation>Na próbę</translation>
+    </message>
+    <message>
+        <source>%1 on trial</source>
+        <translation>%1 na próbę</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1: mniej</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1: więcej</translation>
+    </message>
+    <message>
+        <source>Choose camera %1</source>
+        <translation>Wybierz kamerę %1</translation>
+    </message>
+    <message>
+        <source>Pixels with the line in use</source>
+        <translation>Piksele z linią w użyciu</translation>
+    </message>
+    <message>
+        <source>Pixels with the line on trial</source>
+        <translation>Piksele z linią na próbę</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Różnica</translation>
+    </message>
+    <message>
+        <source>In use against on trial</source>
+        <translation>W użyciu a na próbę</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Gained, lost</source>
+        <translation>Zyskane, utracone</translation>
+    </message>
+    <message>
+        <source>Saturated points</source>
+        <translation>Punkty przesycone</translation>
+    </message>
+    <message>
+        <source>Uncertainty, px</source>
+        <translation>Niepewność, px</translation>
+    </message>
+    <message>
+        <source>Shift: mean, largest, px</source>
+        <translation>Przesun.: średnie, maks., px</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Czas, ms</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Zapisz</translation>
+    </message>
+    <message>
+        <source>Save the picture of the chosen camera (Ctrl+S)</source>
+        <translation>Zapisz obraz wybranej kamery (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Na żywo</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Zamroź</translation>
+    </message>
+    <message>
+        <source>Live pictures again (P)</source>
+        <translation>Znów obrazy na żywo (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures (P)</source>
+        <translation>Zamroź obrazy (P)</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures</source>
+        <translation>Zamroź obrazy</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>The pictures behind the newest profile (B)</source>
+        <translation>Obrazy najnowszego przekroju (B)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Odrzuć</translation>
+    </message>
+    <message>
+        <source>Discard what is on trial</source>
+        <translation>Odrzuć to, co jest na próbę</translation>
+    </message>
+    <message>
+        <source>Use from next rail</source>
+        <translation>Użyj od następnej</translation>
+    </message>
+    <message>
+        <source>Use what is on trial from the next rail on</source>
+        <translation>Użyj tego, co na próbę, od następnej szyny</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>Powód zmiany</translation>
+    </message>
+    <message>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>Ekspozycji tych kamer nie można stąd zmienić.</translation>
+    </message>
+    <message>
+        <source>camera %1, frozen</source>
+        <translation>kamera %1, zamrożona</translation>
+    </message>
+    <message>
+        <source>camera %1, live</source>
+        <translation>kamera %1, na żywo</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>brak obrazu</translation>
+    </message>
+    <message>
+        <source>nothing on trial: change a parameter</source>
+        <translation>nic na próbę: zmień parametr</translation>
     </message>
 </context>
 <context>
@@ -3985,6 +6545,41 @@ Zachowane szyny: %2.</translation>
     <message>
         <source>fewer than %1 rails prove little</source>
         <translation>mniej niż %1 szyn niewiele dowodzi</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::WorthTable</name>
+    <message>
+        <source>Dimension</source>
+        <translation>Wymiar</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Obowiązuje</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nowa</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>Dopuszcz.</translation>
+    </message>
+    <message>
+        <source>Largest part</source>
+        <translation>Największy wkład</translation>
+    </message>
+    <message>
+        <source>What the calibration is worth for each dimension</source>
+        <translation>Ile kalibracja jest warta dla każdego wymiaru</translation>
+    </message>
+    <message>
+        <source>More than the tolerance allows</source>
+        <translation>Więcej, niż dopuszcza tolerancja</translation>
+    </message>
+    <message>
+        <source>too much: %1</source>
+        <translation>za dużo: %1</translation>
     </message>
 </context>
 </TS>

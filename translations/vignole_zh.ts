@@ -1211,6 +1211,153 @@
     </message>
 </context>
 <context>
+    <name>RecipeSetting</name>
+    <message>
+        <source>Section</source>
+        <translation>轨型</translation>
+    </message>
+    <message>
+        <source>Profile class</source>
+        <translation>轮廓等级</translation>
+    </message>
+    <message>
+        <source>Straightness class</source>
+        <translation>平直度等级</translation>
+    </message>
+    <message>
+        <source>RFH: distance from the axis, mm</source>
+        <translation>RFH：距轴线距离，mm</translation>
+    </message>
+    <message>
+        <source>HF: half width of the crown, mm</source>
+        <translation>HF：轨顶半宽，mm</translation>
+    </message>
+    <message>
+        <source>HW: depth below the crown, mm</source>
+        <translation>HW：轨顶以下深度，mm</translation>
+    </message>
+    <message>
+        <source>HWA: the AREMA depth, mm</source>
+        <translation>HWA：AREMA 深度，mm</translation>
+    </message>
+    <message>
+        <source>FT: inside the foot edges, mm</source>
+        <translation>FT：轨底边缘向内，mm</translation>
+    </message>
+    <message>
+        <source>RAS: depth below the crown, mm</source>
+        <translation>RAS：轨顶以下深度，mm</translation>
+    </message>
+    <message>
+        <source>WT: height, mm (none: thinnest)</source>
+        <translation>WT：高度，mm（无：最薄处）</translation>
+    </message>
+    <message>
+        <source>Base line: inside the foot edges, mm</source>
+        <translation>基线：轨底边缘向内，mm</translation>
+    </message>
+    <message>
+        <source>Line: smoothing σ, px</source>
+        <translation>线：平滑 σ，px</translation>
+    </message>
+    <message>
+        <source>Line: low threshold, DN</source>
+        <translation>线：低阈值，DN</translation>
+    </message>
+    <message>
+        <source>Line: high threshold, DN</source>
+        <translation>线：高阈值，DN</translation>
+    </message>
+    <message>
+        <source>Line: longest gap bridged, px</source>
+        <translation>线：最大桥接间隙，px</translation>
+    </message>
+    <message>
+        <source>Line: largest angle joined, °</source>
+        <translation>线：最大连接角度，°</translation>
+    </message>
+    <message>
+        <source>Line: shortest kept, points</source>
+        <translation>线：最短保留，点</translation>
+    </message>
+    <message>
+        <source>Line: blocks before overload</source>
+        <translation>线：过载前块数</translation>
+    </message>
+    <message>
+        <source>Line: pull of bends taken off</source>
+        <translation>线：扣除弯曲处偏移</translation>
+    </message>
+    <message>
+        <source>Registration: scale at first, mm</source>
+        <translation>配准：初始尺度，mm</translation>
+    </message>
+    <message>
+        <source>Registration: scale with a start, mm</source>
+        <translation>配准：有初值时尺度，mm</translation>
+    </message>
+    <message>
+        <source>Registration: inlier below, mm</source>
+        <translation>配准：内点小于，mm</translation>
+    </message>
+    <message>
+        <source>Registration: points used within, mm</source>
+        <translation>配准：用点距离以内，mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails above rms, mm</source>
+        <translation>配准：均方根超过即失败，mm</translation>
+    </message>
+    <message>
+        <source>Registration: fails below share</source>
+        <translation>配准：比例低于即失败</translation>
+    </message>
+    <message>
+        <source>Measuring: ends left out, mm</source>
+        <translation>测量：端部舍去，mm</translation>
+    </message>
+    <message>
+        <source>Measuring: least points</source>
+        <translation>测量：最少点数</translation>
+    </message>
+    <message>
+        <source>Measuring: expansion, 1/K</source>
+        <translation>测量：膨胀系数，1/K</translation>
+    </message>
+    <message>
+        <source>Measuring: hottest rail, °C</source>
+        <translation>测量：最高钢轨温度，°C</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>%1: limits, mm</source>
+        <translation>%1：限值，mm</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>不评判</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>不大于 %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>不小于 %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Operator</source>
@@ -1227,6 +1374,261 @@
     <message>
         <source>Administrator</source>
         <translation>管理员</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>no outlier</source>
+        <translation>无离群值</translation>
+    </message>
+    <message>
+        <source>straggler (5 %)</source>
+        <translation>歧离值（5 %）</translation>
+    </message>
+    <message>
+        <source>outlier (1 %)</source>
+        <translation>离群值（1 %）</translation>
+    </message>
+    <message>
+        <source>%1: %2, critical %3 at 1 %</source>
+        <translation>%1：%2，1 % 临界值 %3</translation>
+    </message>
+    <message>
+        <source>Mean range of the runs, mm, per %1 m (Table VI)</source>
+        <translation>各次平均极差，mm，每 %1 m（表 VI）</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>share of T, %</source>
+        <translation>占 T，%</translation>
+    </message>
+    <message>
+        <source>Errors against the reference, mm (Table V)</source>
+        <translation>相对参考值的误差，mm（表 V）</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>偏倚</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>largest, %</source>
+        <translation>最大，%</translation>
+    </message>
+    <message>
+        <source>E_n above 1</source>
+        <translation>E_n 大于 1</translation>
+    </message>
+    <message>
+        <source>%1: values of the runs</source>
+        <translation>%1：各次数值</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>长度，m</translation>
+    </message>
+    <message>
+        <source>%1: range of the runs</source>
+        <translation>%1：各次极差</translation>
+    </message>
+    <message>
+        <source>%1: error at each position</source>
+        <translation>%1：各位置误差</translation>
+    </message>
+    <message>
+        <source>mean of the runs</source>
+        <translation>各次均值</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>无判定</translation>
+    </message>
+    <message>
+        <source>no dimension has both a tolerance and figures</source>
+        <translation>没有既有公差又有数据的尺寸</translation>
+    </message>
+    <message>
+        <source>Repeatable</source>
+        <translation>可重复</translation>
+    </message>
+    <message>
+        <source>Not repeatable</source>
+        <translation>不可重复</translation>
+    </message>
+    <message>
+        <source>%1 uses the largest share of its tolerance, %2; allowed are %3 %</source>
+        <translation>%1 占其公差的比例最大，为 %2；允许 %3 %</translation>
+    </message>
+    <message>
+        <source>uncertainties of values and reference are both needed for E_n; the figures stand by themselves</source>
+        <translation>计算 E_n 需要数值和参考值两者的不确定度；此处仅列数据</translation>
+    </message>
+    <message>
+        <source>Agrees</source>
+        <translation>一致</translation>
+    </message>
+    <message>
+        <source>Does not agree</source>
+        <translation>不一致</translation>
+    </message>
+    <message>
+        <source>worst is %1: E n above 1 in %2 of its %3 values; chance allows %4</source>
+        <translation>最差为 %1：其 %3 个值中 %2 的 E n 大于 1；偶然允许 %4</translation>
+    </message>
+    <message>
+        <source>Runs and positions</source>
+        <translation>次数与位置数</translation>
+    </message>
+    <message>
+        <source>Repeatability s r</source>
+        <translation>重复性 s r</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>其 95 % 区间</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Limit r = 2.8 s r</source>
+        <translation>重复性限 r = 2.8 s r</translation>
+    </message>
+    <message>
+        <source>Mean and largest range</source>
+        <translation>平均与最大极差</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1和%2</translation>
+    </message>
+    <message>
+        <source>s from the range</source>
+        <translation>由极差求得的 s</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>自相关</translation>
+    </message>
+    <message>
+        <source>Left out: a run lacks them</source>
+        <translation>略去：有一次测量缺失</translation>
+    </message>
+    <message>
+        <source>Grubbs, means of the runs</source>
+        <translation>格拉布斯检验，各次均值</translation>
+    </message>
+    <message>
+        <source>Cochran, scatter of the runs</source>
+        <translation>科克伦检验，各次离散</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>偏倚</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>均方根误差</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>最大误差</translation>
+    </message>
+    <message>
+        <source>in % of the reference</source>
+        <translation>占参考值的 %</translation>
+    </message>
+    <message>
+        <source>Limits of agreement</source>
+        <translation>一致性界限</translation>
+    </message>
+    <message>
+        <source>interval of the lower</source>
+        <translation>下界的区间</translation>
+    </message>
+    <message>
+        <source>interval of the upper</source>
+        <translation>上界的区间</translation>
+    </message>
+    <message>
+        <source>Largest E n</source>
+        <translation>最大 E n</translation>
+    </message>
+    <message>
+        <source>E n above 1</source>
+        <translation>E n 大于 1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Repeatability study</source>
+        <translation>重复性研究</translation>
+    </message>
+    <message>
+        <source>Accuracy study</source>
+        <translation>准确度研究</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>测次</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>轨型</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>means over %1 m</source>
+        <translation>%1 m 均值</translation>
+    </message>
+    <message>
+        <source>single profiles</source>
+        <translation>单个轮廓</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考值</translation>
+    </message>
+    <message>
+        <source>Runs: %1.</source>
+        <translation>测次：%1。</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>条件：%1。</translation>
+    </message>
+    <message>
+        <source>%1 over the length, as Fig. 9</source>
+        <translation>%1 沿长度，同图 9</translation>
+    </message>
+    <message>
+        <source>%1 against its reference</source>
+        <translation>%1 与其参考值对比</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>%1 的数据</translation>
     </message>
 </context>
 <context>
@@ -1647,6 +2049,228 @@
     </message>
 </context>
 <context>
+    <name>vignole::CalibrationDesk</name>
+    <message>
+        <source>Calibrations are not kept: %1. Start the program with an archive (--archive FILE).</source>
+        <translation>标定未保存：%1。请带档案库启动程序（--archive FILE）。</translation>
+    </message>
+    <message>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>标定由技术员进行：请以技术员或质检登录（设置，F10）。</translation>
+    </message>
+    <message>
+        <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
+        <translation>没有档案库，标定既不能保存也不能恢复：请用 --archive FILE 启动程序。</translation>
+    </message>
+    <message>
+        <source>Another calibration needs a reason.</source>
+        <translation>更换标定需说明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::CalibrationOverview</name>
+    <message>
+        <source>In force</source>
+        <translation>现行</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>What it is worth</source>
+        <translation>标定不确定度</translation>
+    </message>
+    <message>
+        <source>Calibrations kept</source>
+        <translation>已保存的标定</translation>
+    </message>
+    <message>
+        <source>choose one to compare it with the one in force</source>
+        <translation>选择一个，与现行标定对比</translation>
+    </message>
+    <message>
+        <source>Range finders…</source>
+        <translation>测距仪…</translation>
+    </message>
+    <message>
+        <source>Calibrate the range finders with the pin plate</source>
+        <translation>用销钉板标定测距仪</translation>
+    </message>
+    <message>
+        <source>Lens of a camera…</source>
+        <translation>相机镜头…</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens of a camera with the flat target</source>
+        <translation>用平面靶标标定相机镜头</translation>
+    </message>
+    <message>
+        <source>Encoder…</source>
+        <translation>编码器…</translation>
+    </message>
+    <message>
+        <source>Calibrate the encoder over a known length</source>
+        <translation>用已知长度标定编码器</translation>
+    </message>
+    <message>
+        <source>Reference piece…</source>
+        <translation>标准件…</translation>
+    </message>
+    <message>
+        <source>Check the calibration on a reference piece</source>
+        <translation>用标准件核查标定</translation>
+    </message>
+    <message>
+        <source>Parameter study…</source>
+        <translation>参数研究…</translation>
+    </message>
+    <message>
+        <source>Study which settings of the calibration matter</source>
+        <translation>研究标定中哪些设置有影响</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>保存时间</translation>
+    </message>
+    <message>
+        <source>By, because</source>
+        <translation>人员，原因</translation>
+    </message>
+    <message>
+        <source>What the calibration in force is worth</source>
+        <translation>现行标定的不确定度</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Reason for putting it back in force</source>
+        <translation>恢复启用的原因</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>Put the chosen calibration in force</source>
+        <translation>启用所选标定</translation>
+    </message>
+    <message>
+        <source>No calibration</source>
+        <translation>无标定</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: calibrate the range finders.</source>
+        <translation>无法测量：请标定测距仪。</translation>
+    </message>
+    <message>
+        <source>Overdue: %1. Calibrate the range finders.</source>
+        <translation>已过期：%1。请标定测距仪。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Due in %n day(s).</source>
+        <translation>
+            <numerusform>%n 天后到期。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No interval is set.</source>
+        <translation>未设定周期。</translation>
+    </message>
+    <message>
+        <source>Method: %1
+Made: %2
+Plate: %3
+Cameras: %4</source>
+        <translation>方法：%1
+生成：%2
+标定板：%3
+相机：%4</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
+        <translation>尚未保存标定。测量钢轨或向导完成时保存首个标定。</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>现行：%1</translation>
+    </message>
+    <message>
+        <source> (cannot be read)</source>
+        <translation> （无法读取）</translation>
+    </message>
+    <message>
+        <source>of another rig</source>
+        <translation>其他装置的</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>允许值</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>U of it</source>
+        <translation>其 U</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2)，%1</translation>
+    </message>
+    <message>
+        <source>Difference: what the chosen one measures more than the one in force</source>
+        <translation>差值：所选标定比现行标定多测的量</translation>
+    </message>
+    <message>
+        <source>By the calibration alone, without the noise of the profiles</source>
+        <translation>仅由标定引起，不含轮廓噪声</translation>
+    </message>
+    <message>
+        <source>%1, too much</source>
+        <translation>%1，过大</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>未给出</translation>
+    </message>
+    <message>
+        <source>Nothing is applied before old and new are compared.</source>
+        <translation>新旧对比之前不作任何应用。</translation>
+    </message>
+    <message>
+        <source>It is of other cameras and cannot be put in force here.</source>
+        <translation>属于其他相机，不能在此启用。</translation>
+    </message>
+    <message>
+        <source>It is in force.</source>
+        <translation>已启用。</translation>
+    </message>
+    <message>
+        <source>It is in force: the line measures with it from the next rail on.</source>
+        <translation>已启用：产线自下一根钢轨起用其测量。</translation>
+    </message>
+</context>
+<context>
     <name>vignole::ChartsPage</name>
     <message>
         <source>Dimensions</source>
@@ -1771,10 +2395,6 @@
         <translation>标准差</translation>
     </message>
     <message>
-        <source>Smallest, largest</source>
-        <translation>最小、最大</translation>
-    </message>
-    <message>
         <source>Uncertainty U (k = 2)</source>
         <translation>不确定度 U（k = 2）</translation>
     </message>
@@ -1826,6 +2446,14 @@
         <source>%1 cannot be written</source>
         <translation>无法写入 %1</translation>
     </message>
+    <message>
+        <source>Smallest</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
 </context>
 <context>
     <name>vignole::DiagnosticsPage</name>
@@ -1848,14 +2476,6 @@
     <message>
         <source>Computer</source>
         <translation>计算机</translation>
-    </message>
-    <message>
-        <source>Support file…</source>
-        <translation>支持文件…</translation>
-    </message>
-    <message>
-        <source>Save a support file</source>
-        <translation>保存支持文件</translation>
     </message>
     <message>
         <source>Where every trigger went</source>
@@ -1926,16 +2546,8 @@
         <translation>：丢失</translation>
     </message>
     <message>
-        <source>Rendered cameras: no packets to be sent again, no temperature.</source>
-        <translation>渲染相机：无数据包重发，无温度。</translation>
-    </message>
-    <message>
         <source>Disk</source>
         <translation>磁盘</translation>
-    </message>
-    <message>
-        <source>%1 of %2 GB free</source>
-        <translation>可用 %1 / %2 GB</translation>
     </message>
     <message>
         <source>make room: nearly full</source>
@@ -1944,14 +2556,6 @@
     <message>
         <source>Archive</source>
         <translation>档案库</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>已打开</translation>
-    </message>
-    <message>
-        <source>none: rails are not kept</source>
-        <translation>无：钢轨不保存</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -1980,24 +2584,114 @@
         <translation>窗口</translation>
     </message>
     <message>
-        <source>turn p99 %1 ms</source>
-        <translation>循环 p99 %1 ms</translation>
-    </message>
-    <message>
-        <source>p50 %1, largest %2, limit 50 ms</source>
-        <translation>p50 %1，最大 %2，限值 50 ms</translation>
-    </message>
-    <message>
         <source>Screen</source>
         <translation>屏幕</translation>
     </message>
     <message>
-        <source>the window&apos;s thread</source>
-        <translation>窗口线程</translation>
+        <source>%1 is written.</source>
+        <translation>已写入 %1。</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
+        <source>How much of the support bundle is written</source>
+        <translation>支持文件写入进度</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>曝光</translation>
+    </message>
+    <message>
+        <source>%1 profiles lost</source>
+        <translation>%1 个轮廓丢失</translation>
+    </message>
+    <message>
+        <source>%1 without points</source>
+        <translation>%1 个无点</translation>
+    </message>
+    <message>
+        <source>%1 profiles kept</source>
+        <translation>%1 个轮廓已保存</translation>
+    </message>
+    <message>
+        <source>rails are not kept</source>
+        <translation>钢轨未保存</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, %2 % of a core</source>
+        <translation>%1 张图像/s，单核的 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Not available here, because these cameras are rendered: resends, incomplete frames, timeouts, temperature.</source>
+        <translation>此处不提供（相机为渲染生成）：重传、不完整帧、超时、温度。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 GB</source>
+        <translation>%1 / %2 GB</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未提供</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s) kept</source>
+        <translation>
+            <numerusform>已保存 %n 根钢轨</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 MB, WAL %2 MB</source>
+        <translation>%1 MB，WAL %2 MB</translation>
+    </message>
+    <message>
+        <source>open, nothing is written</source>
+        <translation>已打开，未写入</translation>
+    </message>
+    <message>
+        <source>of %1 GB</source>
+        <translation>共 %1 GB</translation>
+    </message>
+    <message>
+        <source>p99 %1 ms</source>
+        <translation>p99 %1 ms</translation>
+    </message>
+    <message>
+        <source>p50 %1, max %2</source>
+        <translation>p50 %1，最大 %2</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Where the support bundle is put</source>
+        <translation>支持文件的保存位置</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>支持文件…</translation>
+    </message>
+    <message>
+        <source>Cancel the support bundle</source>
+        <translation>取消支持文件</translation>
+    </message>
+    <message>
+        <source>Save a support bundle</source>
+        <translation>保存支持文件</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2764,234 @@
     <message>
         <source>Dimensions</source>
         <translation>尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::DriftPanel</name>
+    <message>
+        <source>Health</source>
+        <translation>健康度</translation>
+    </message>
+    <message>
+        <source>seams between the cameras on every rail</source>
+        <translation>每根钢轨上的相机间接缝</translation>
+    </message>
+    <message>
+        <source>Shift of each camera, rail by rail</source>
+        <translation>各相机的位移，逐轨</translation>
+    </message>
+    <message>
+        <source>Shift of each camera since its calibration</source>
+        <translation>各相机自标定以来的位移</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Alarm above</source>
+        <translation>报警限</translation>
+    </message>
+    <message>
+        <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
+        <translation>尚无钢轨通过。相机漂移由正常生产中的接缝显示，无需标定板。</translation>
+    </message>
+    <message>
+        <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
+        <translation>正在学习接缝状况：该标定启用以来已有 %1/%2 根钢轨。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No camera has moved: %n rail(s) watched.</source>
+        <translation>
+            <numerusform>没有相机移动：已监视 %n 根钢轨。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 moved</source>
+        <translation>%1 已移动</translation>
+    </message>
+    <message>
+        <source>rail</source>
+        <translation>钢轨</translation>
+    </message>
+    <message>
+        <source>shift in </source>
+        <translation>位移，单位 </translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>alarm above</source>
+        <translation>报警限</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::EncoderPanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>编码器</translation>
+    </message>
+    <message>
+        <source>Motion a pulse</source>
+        <translation>每脉冲位移</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>Known length, first to last reading</source>
+        <translation>已知长度，首个至末个读数</translation>
+    </message>
+    <message>
+        <source>Known length, mm</source>
+        <translation>已知长度，mm</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the length, mm</source>
+        <translation>长度的标准不确定度，mm</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, for training</source>
+        <translation>第二虚拟编码器的打滑，供培训</translation>
+    </message>
+    <message>
+        <source>Slip of the virtual second encoder, ppm</source>
+        <translation>第二虚拟编码器的打滑，ppm</translation>
+    </message>
+    <message>
+        <source>Drive the rail</source>
+        <translation>驱动钢轨</translation>
+    </message>
+    <message>
+        <source>Readings from a file…</source>
+        <translation>从文件读入读数…</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>标准不确定度</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>计数</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>第二</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Readings of the encoder</source>
+        <translation>编码器读数</translation>
+    </message>
+    <message>
+        <source>Slip along the way</source>
+        <translation>沿程打滑</translation>
+    </message>
+    <message>
+        <source>Readings: count,x_mm,y_mm[,count2]</source>
+        <translation>读数：count,x_mm,y_mm[,count2]</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the rail is driven by hand over a known length. Stop the line to go on.</source>
+        <translation>产线测量时关闭：钢轨须手动驱动通过已知长度。停止产线后继续。</translation>
+    </message>
+    <message>
+        <source>A rail is driven over a length that is known, and the pulses are counted: where the light crosses it, it is seen as well.</source>
+        <translation>将钢轨驱动通过已知长度并对脉冲计数：同时观察光线与钢轨相交之处。</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>second behind first, pulses</source>
+        <translation>第二落后于第一，脉冲</translation>
+    </message>
+    <message>
+        <source>Next: drive the rail over the known length.</source>
+        <translation>下一步：将钢轨驱动通过已知长度。</translation>
+    </message>
+    <message>
+        <source> µm a pulse</source>
+        <translation> µm/脉冲</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>unknown: fewer than three readings</source>
+        <translation>未知：读数少于三个</translation>
+    </message>
+    <message>
+        <source>Along (V z)</source>
+        <translation>纵向（V z）</translation>
+    </message>
+    <message>
+        <source>Sideways (V x)</source>
+        <translation>横向（V x）</translation>
+    </message>
+    <message>
+        <source>Upwards (V y)</source>
+        <translation>垂向（V y）</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>脉冲数</translation>
+    </message>
+    <message>
+        <source>Slip of the second</source>
+        <translation>第二编码器打滑</translation>
+    </message>
+    <message>
+        <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
+        <translation>有一个编码器打滑。下一步：清洁测轮，压紧后重新驱动。</translation>
+    </message>
+    <message>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <translation>一个脉冲对应钢轨 %1 µm。下一步：在编码器脉冲分频为触发的位置输入该值。</translation>
     </message>
 </context>
 <context>
@@ -2176,6 +3098,325 @@
     <message>
         <source>Last rails</source>
         <translation>最近钢轨</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::LensWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>取消中…</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>覆盖范围</translation>
+    </message>
+    <message>
+        <source>Parts of the picture that have been seen</source>
+        <translation>图像中已看到的区域</translation>
+    </message>
+    <message>
+        <source>Picture of the target</source>
+        <translation>靶标图像</translation>
+    </message>
+    <message>
+        <source>Pictures taken</source>
+        <translation>已拍图像</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>倾角</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>模糊</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>Lens models (Table III)</source>
+        <translation>镜头模型（表 III）</translation>
+    </message>
+    <message>
+        <source>Distortion model</source>
+        <translation>畸变模型</translation>
+    </message>
+    <message>
+        <source>Mean error px</source>
+        <translation>平均误差 px</translation>
+    </message>
+    <message>
+        <source>RMS px</source>
+        <translation>均方根 px</translation>
+    </message>
+    <message>
+        <source>Not seen before px</source>
+        <translation>未见图像 px</translation>
+    </message>
+    <message>
+        <source>Focal length mm</source>
+        <translation>焦距 mm</translation>
+    </message>
+    <message>
+        <source>Lens models that were tried</source>
+        <translation>试用过的镜头模型</translation>
+    </message>
+    <message>
+        <source>Coverage and residuals</source>
+        <translation>覆盖范围与残差</translation>
+    </message>
+    <message>
+        <source>Points of all pictures</source>
+        <translation>所有图像的点</translation>
+    </message>
+    <message>
+        <source>Mean residual by place</source>
+        <translation>各位置平均残差</translation>
+    </message>
+    <message>
+        <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
+Target: %1, points within ±%2 µm.</source>
+        <translation>将圆点平面靶标按所绘位姿置于一台相机前，逐张拍摄。所选镜头模型是能预测未见图像的最简模型。
+靶标：%1，点位误差在 ±%2 µm 以内。</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Camera whose lens is calibrated</source>
+        <translation>待标定镜头的相机</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Pictures: twelve cover a lens.</source>
+        <translation>图像：十二张可覆盖一个镜头。</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>图像数量</translation>
+    </message>
+    <message>
+        <source>Target to the right, mm</source>
+        <translation>靶标向右，mm</translation>
+    </message>
+    <message>
+        <source>Target down, mm</source>
+        <translation>靶标向下，mm</translation>
+    </message>
+    <message>
+        <source>Distance of the target, mm</source>
+        <translation>靶标距离，mm</translation>
+    </message>
+    <message>
+        <source>Tilt up and down, degrees</source>
+        <translation>上下倾斜，度</translation>
+    </message>
+    <message>
+        <source>Tilt to the sides, degrees</source>
+        <translation>左右倾斜，度</translation>
+    </message>
+    <message>
+        <source>Turn of the target, degrees</source>
+        <translation>靶标转角，度</translation>
+    </message>
+    <message>
+        <source>Hold as shown</source>
+        <translation>按图持靶</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>拍摄</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Use with the plate</source>
+        <translation>用于销钉板</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>产线测量时关闭</translation>
+    </message>
+    <message>
+        <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>拍摄靶标图像需要使用该相机。停止产线后继续；已拍内容将保留。</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>求解进度</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>没有可供查看的装置：本版本不含相机。请以虚拟装置启动程序。</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>已取消：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Lens of the camera</source>
+        <translation>相机镜头</translation>
+    </message>
+    <message>
+        <source>camera%1.toml</source>
+        <translation>camera%1.toml</translation>
+    </message>
+    <message>
+        <source>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</source>
+        <translation>Vignole (*.toml);;OpenCV (*.yaml);;HALCON (*.dat);;mrcal (*.cameramodel)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>camera and target</source>
+        <translation>相机与靶标</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>model chosen by the data</source>
+        <translation>由数据选定的模型</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Table III, residuals</source>
+        <translation>表 III，残差</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture</source>
+        <translation>图像的 %1 %</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>尚无。</translation>
+    </message>
+    <message>
+        <source>May be used, but: %1</source>
+        <translation>可以使用，但：%1</translation>
+    </message>
+    <message>
+        <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
+        <translation>可以使用：模型 %2 平均误差 %1 px，由其未见过的图像选定。</translation>
+    </message>
+    <message>
+        <source>%1, chosen</source>
+        <translation>%1，已选</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Next: choose the camera.</source>
+        <translation>下一步：选择相机。</translation>
+    </message>
+    <message>
+        <source>First picture</source>
+        <translation>首张图像</translation>
+    </message>
+    <message>
+        <source>Looking at the target…</source>
+        <translation>正在观察靶标…</translation>
+    </message>
+    <message>
+        <source>This picture would be refused: %1</source>
+        <translation>该图像将被拒绝：%1</translation>
+    </message>
+    <message>
+        <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
+        <translation>该图像将被拒绝，因其位姿与图像 %1 相同；请将靶标移至虚线轮廓处。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) found.</source>
+        <translation>
+            <numerusform>找到 %n 个点。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: solve, or take more.</source>
+        <translation>下一步：求解，或继续拍摄。</translation>
+    </message>
+    <message>
+        <source>Working out which pose tells most…</source>
+        <translation>正在计算信息最多的位姿…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
+        <translation>
+            <numerusform>下一步：将靶标对准虚线轮廓并拍摄；还需 %n 张。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Next: %1; %n to go.</source>
+        <translation>
+            <numerusform>下一步：%1；还需 %n 张。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens models are adjusted and tried on pictures they have not seen.</source>
+        <translation>正在平差镜头模型，并用其未见过的图像检验。</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the result comes by itself.</source>
+        <translation>下一步：无需操作；结果会自行出现。</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be used.</source>
+        <translation>已拒绝：无法使用。</translation>
+    </message>
+    <message>
+        <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
+        <translation>测距仪向导将使用此镜头。下一步：标定测距仪。</translation>
+    </message>
+    <message>
+        <source>Next: use it with the plate, or save it.</source>
+        <translation>下一步：用于销钉板，或保存。</translation>
     </message>
 </context>
 <context>
@@ -2573,8 +3814,77 @@
         <translation>相机 %1</translation>
     </message>
     <message>
-        <source>mean time of a stage, SD standard deviation, UCL upper limit of the 99 % confidence interval; of a queue now (dark), highest fill (mark) and size</source>
-        <translation>各级平均时间，SD 标准差，UCL 99 % 置信区间上限；队列：当前（深色）、最高填充（标记）与容量</translation>
+        <source>%1 points</source>
+        <translation>%1 个点</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>已配准</translation>
+    </message>
+    <message>
+        <source>not registered</source>
+        <translation>未配准</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dimension(s)</source>
+        <translation>
+            <numerusform>%n 个尺寸</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source>99 % UCL %1</source>
+        <translation>99 % UCL %1</translation>
+    </message>
+    <message>
+        <source>Consumers</source>
+        <translation>使用方</translation>
+    </message>
+    <message>
+        <source>in the queue now</source>
+        <translation>当前队列中</translation>
+    </message>
+    <message>
+        <source>highest fill, of how many places</source>
+        <translation>最高占用，共多少位</translation>
+    </message>
+    <message>
+        <source>mean time, SD standard deviation, UCL upper limit of its 99 % confidence interval</source>
+        <translation>平均时间，SD 标准差，UCL 其 99 % 置信区间上限</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::PlateView</name>
+    <message>
+        <source>no picture yet</source>
+        <translation>尚无图像</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>被拒绝</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins</source>
+        <translation>销钉 %1/%2</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>相机 %1：%2</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>no pin here</source>
+        <translation>此处无销钉</translation>
+    </message>
+    <message>
+        <source>not found: %1</source>
+        <translation>未找到：%1</translation>
     </message>
 </context>
 <context>
@@ -2611,14 +3921,6 @@
         <translation>已测</translation>
     </message>
     <message>
-        <source>Rails that may be laid over each other</source>
-        <translation>可相互叠合的钢轨</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>尺寸</translation>
-    </message>
-    <message>
         <source>Single profiles</source>
         <translation>单个轮廓</translation>
     </message>
@@ -2643,14 +3945,6 @@
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Export values and ranges as CSV</source>
-        <translation>将数值与极差导出为 CSV</translation>
-    </message>
-    <message>
-        <source>Values over the length</source>
-        <translation>沿长度的数值</translation>
-    </message>
-    <message>
         <source>as Fig. 9a</source>
         <translation>同图 9a</translation>
     </message>
@@ -2659,52 +3953,8 @@
         <translation>各次极差</translation>
     </message>
     <message>
-        <source>as Fig. 9b</source>
-        <translation>同图 9b</translation>
-    </message>
-    <message>
         <source>Values of every run over the length</source>
         <translation>每次测量沿长度的数值</translation>
-    </message>
-    <message>
-        <source>Range of the runs over the length</source>
-        <translation>各次沿长度的极差</translation>
-    </message>
-    <message>
-        <source>Mean range</source>
-        <translation>平均极差</translation>
-    </message>
-    <message>
-        <source>per 10 m, as Table VI</source>
-        <translation>每 10 m，同表 VI</translation>
-    </message>
-    <message>
-        <source>From – to, m</source>
-        <translation>起 – 止，m</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>位置数</translation>
-    </message>
-    <message>
-        <source>Mean range, section by section</source>
-        <translation>逐段平均极差</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Figures of the study</source>
-        <translation>研究数据</translation>
-    </message>
-    <message>
-        <source>Runs come from the archive, and there is none: %1. Start the program with --archive FILE.</source>
-        <translation>各次测量来自档案库，但没有：%1。请用 --archive FILE 启动程序。</translation>
-    </message>
-    <message>
-        <source>At least 2 runs of the same rail are needed, %1 chosen; the paper took 5.</source>
-        <translation>至少需要同一钢轨的 2 次测量，已选 %1；论文用了 5 次。</translation>
     </message>
     <message>
         <source>reading …</source>
@@ -2713,10 +3963,6 @@
     <message>
         <source>No rail has been kept yet. Runs of the same rail are compared here.</source>
         <translation>尚未保存钢轨。在此比较同一钢轨的多次测量。</translation>
-    </message>
-    <message>
-        <source>Tick the runs that were made of the same rail, choose a dimension and compare.</source>
-        <translation>勾选同一钢轨的各次测量，选择尺寸并比较。</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -2731,60 +3977,350 @@
         <translation>极差，%1</translation>
     </message>
     <message>
-        <source>Runs, positions</source>
-        <translation>次数、位置数</translation>
-    </message>
-    <message>
-        <source>Repeatability s_r</source>
-        <translation>重复性 s_r</translation>
-    </message>
-    <message>
-        <source>its 95 % interval</source>
-        <translation>其 95 % 区间</translation>
-    </message>
-    <message>
-        <source>Limit r = 2.8 s_r</source>
-        <translation>限 r = 2.8 s_r</translation>
-    </message>
-    <message>
-        <source>Largest range</source>
-        <translation>最大极差</translation>
-    </message>
-    <message>
-        <source>s from the range</source>
-        <translation>由极差得 s</translation>
-    </message>
-    <message>
-        <source>Autocorrelation</source>
-        <translation>自相关</translation>
-    </message>
-    <message>
-        <source>%1, critical %2 (1 %)</source>
-        <translation>%1，临界 %2（1 %）</translation>
-    </message>
-    <message>
-        <source>Grubbs, means of the runs</source>
-        <translation>Grubbs，各次均值</translation>
-    </message>
-    <message>
-        <source>Cochran, scatter of the runs</source>
-        <translation>Cochran，各次离散</translation>
-    </message>
-    <message>
-        <source>, %1 positions left out: a run lacks them</source>
-        <translation>，略去 %1 个位置：某次缺失</translation>
-    </message>
-    <message>
         <source>Export as CSV</source>
         <translation>导出为 CSV</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>已写入 %1</translation>
+        <source>truth of the virtual rig</source>
+        <translation>虚拟装置的真值</translation>
+    </message>
+    <message numerus="yes">
+        <source>The inspections were cancelled; %n were whole.</source>
+        <translation>
+            <numerusform>检测已取消；%n 次完整。</numerusform>
+        </translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>无法写入 %1</translation>
+        <source>Runs of one rail</source>
+        <translation>同一钢轨的各次测量</translation>
+    </message>
+    <message>
+        <source>Reference values</source>
+        <translation>参考值</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>PDF 报告</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>准确度</translation>
+    </message>
+    <message>
+        <source>Rails of the archive</source>
+        <translation>档案库中的钢轨</translation>
+    </message>
+    <message>
+        <source>Runs from a file</source>
+        <translation>文件中的测次</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>虚拟装置</translation>
+    </message>
+    <message>
+        <source>Where the runs come from</source>
+        <translation>测次来源</translation>
+    </message>
+    <message>
+        <source>3 m of rail</source>
+        <translation>3 m 钢轨</translation>
+    </message>
+    <message>
+        <source>12 m of rail</source>
+        <translation>12 m 钢轨</translation>
+    </message>
+    <message>
+        <source>60 m of rail, as the paper</source>
+        <translation>60 m 钢轨，同论文</translation>
+    </message>
+    <message>
+        <source>Length of the virtual rail</source>
+        <translation>虚拟钢轨的长度</translation>
+    </message>
+    <message>
+        <source>Means over 0.5 m</source>
+        <translation>0.5 m 均值</translation>
+    </message>
+    <message>
+        <source>Runs that may be laid over each other</source>
+        <translation>可相互叠合的测次</translation>
+    </message>
+    <message>
+        <source>Open runs…</source>
+        <translation>打开测次…</translation>
+    </message>
+    <message>
+        <source>Open runs from a CSV file</source>
+        <translation>从 CSV 文件打开测次</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>打开参考值…</translation>
+    </message>
+    <message>
+        <source>Open reference values from a CSV file</source>
+        <translation>从 CSV 文件打开参考值</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>Report as PDF (Ctrl+P)</source>
+        <translation>PDF 报告（Ctrl+P）</translation>
+    </message>
+    <message>
+        <source>Export values as CSV</source>
+        <translation>将数值导出为 CSV</translation>
+    </message>
+    <message>
+        <source>Export values as CSV (Ctrl+E)</source>
+        <translation>将数值导出为 CSV（Ctrl+E）</translation>
+    </message>
+    <message>
+        <source>Progress of the inspections</source>
+        <translation>检测进度</translation>
+    </message>
+    <message>
+        <source>What the runs differ by over the length</source>
+        <translation>各次沿长度的差异</translation>
+    </message>
+    <message>
+        <source>Every dimension; the chosen one is drawn</source>
+        <translation>所有尺寸；绘制所选尺寸</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Figures of the chosen dimension, formulas and constants</source>
+        <translation>所选尺寸的数据、公式和常数</translation>
+    </message>
+    <message>
+        <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
+        <translation>已存测次取自档案库，但没有档案库（%1）：请用 --archive FILE 启动程序，或在上方选择文件或虚拟装置。</translation>
+    </message>
+    <message>
+        <source>virtual rig</source>
+        <translation>虚拟装置</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>测次 %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Inspect the rail five times</source>
+        <translation>检测钢轨五次</translation>
+    </message>
+    <message>
+        <source>Cancel the inspections</source>
+        <translation>取消检测</translation>
+    </message>
+    <message>
+        <source>Inspect the same virtual rail five times</source>
+        <translation>检测同一虚拟钢轨五次</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R)</source>
+        <translation>请先停止产线（Ctrl+R）</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
+        <translation>请先停止产线（Ctrl+R）：两者都需要全部处理器，且不得因研究而丢失触发。</translation>
+    </message>
+    <message>
+        <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
+        <translation>准确度研究需要参考值：请打开含 dimension、position_m、value 列（若已知，还有 u 列）的 CSV。</translation>
+    </message>
+    <message>
+        <source>At least 1 run is needed, none is chosen.</source>
+        <translation>至少需要 1 个测次，尚未选择。</translation>
+    </message>
+    <message>
+        <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
+        <translation>至少需要同一钢轨的 2 个测次，已选 %1 个：请再选 %2 个。论文用了 5 个。</translation>
+    </message>
+    <message>
+        <source>stored rails, same rail and gauge</source>
+        <translation>已存钢轨，同一钢轨、同一测量仪</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>文件 %1</translation>
+    </message>
+    <message>
+        <source>virtual rig, exact calibration, other wander, vibration, scale, speckle and noise in every run</source>
+        <translation>虚拟装置，精确标定，每次的横移、振动、氧化皮、散斑和噪声各不相同</translation>
+    </message>
+    <message>
+        <source>The same rail is inspected five times …</source>
+        <translation>正在对同一钢轨检测五次…</translation>
+    </message>
+    <message>
+        <source>Conditions: %1.</source>
+        <translation>条件：%1。</translation>
+    </message>
+    <message>
+        <source>Tick the runs that were made of the same rail and compare.</source>
+        <translation>勾选同一钢轨的各次测量并比较。</translation>
+    </message>
+    <message>
+        <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
+        <translation>含 run、position_m 和各尺寸列的 CSV，即 inspect --csv 写出的格式。</translation>
+    </message>
+    <message>
+        <source>Stop the line first (Ctrl+R): both need all processors.</source>
+        <translation>请先停止产线（Ctrl+R）：两者都需要全部处理器。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>论文的试验：一根钢轨，五次检测，真值已知。</translation>
+    </message>
+    <message>
+        <source>No runs are compared yet</source>
+        <translation>尚未比较任何测次</translation>
+    </message>
+    <message>
+        <source>%1 over the length</source>
+        <translation>%1 沿长度</translation>
+    </message>
+    <message>
+        <source>largest minus smallest at each position, as Fig. 9b</source>
+        <translation>各位置最大减最小，同图 9b</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>期望</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>mean of %1 m</source>
+        <translation>%1 m 均值</translation>
+    </message>
+    <message>
+        <source>Error of %1 over the length</source>
+        <translation>%1 沿长度的误差</translation>
+    </message>
+    <message>
+        <source>value minus reference, mean of the runs; %1</source>
+        <translation>测值减参考值，各次均值；%1</translation>
+    </message>
+    <message>
+        <source>value minus reference</source>
+        <translation>测值减参考值</translation>
+    </message>
+    <message>
+        <source>Largest error at each position</source>
+        <translation>各位置最大误差</translation>
+    </message>
+    <message>
+        <source>of any run</source>
+        <translation>任一次</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>零误差</translation>
+    </message>
+    <message>
+        <source>limit of agreement</source>
+        <translation>一致性界限</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>误差，%1</translation>
+    </message>
+    <message>
+        <source>Dim.</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>% T</source>
+        <translation>% T</translation>
+    </message>
+    <message>
+        <source>Mean range per %1 m</source>
+        <translation>每 %1 m 平均极差</translation>
+    </message>
+    <message>
+        <source>as Table VI</source>
+        <translation>同表 VI</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI; the stretches are in the report</source>
+        <translation>%1，同表 VI；各段见报告</translation>
+    </message>
+    <message>
+        <source>%1, as Table VI</source>
+        <translation>%1，同表 VI</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>偏倚</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>%1, as Table V</source>
+        <translation>%1，同表 V</translation>
+    </message>
+    <message>
+        <source>as Table V</source>
+        <translation>同表 V</translation>
+    </message>
+    <message>
+        <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
+        <translation>比较测次后，此处显示判定、数据、公式和常数。</translation>
+    </message>
+    <message>
+        <source>figures of %1</source>
+        <translation>%1 的数据</translation>
+    </message>
+    <message>
+        <source>writing …</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>无法写入 %1。</translation>
     </message>
 </context>
 <context>
@@ -2957,10 +4493,6 @@
         <translation>进行中</translation>
     </message>
     <message>
-        <source>inside</source>
-        <translation>界内</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
@@ -3091,10 +4623,6 @@
         <translation>未保存任何数据。实时钢轨仅在“监视”显示。</translation>
     </message>
     <message>
-        <source>kept: %1 rails, %2 profiles waiting</source>
-        <translation>已保存：%1 根钢轨，%2 个轮廓待写</translation>
-    </message>
-    <message>
         <source>; %1 profiles lost</source>
         <translation>；%1 个轮廓丢失</translation>
     </message>
@@ -3105,6 +4633,18 @@
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
         <translation>无法写入：%1。通过的数据暂存于内存。</translation>
+    </message>
+    <message>
+        <source>kept since the start: %1 rails; %2 profiles wait</source>
+        <translation>启动以来已保存：%1 根钢轨；%2 个轮廓等待中</translation>
+    </message>
+    <message>
+        <source>nearest to a limit, inside</source>
+        <translation>最接近限值，在内</translation>
+    </message>
+    <message>
+        <source>furthest beyond a limit, mm</source>
+        <translation>超限最多，mm</translation>
     </message>
 </context>
 <context>
@@ -3346,12 +4886,740 @@
         <source>%1 is written</source>
         <translation>已写入 %1</translation>
     </message>
+    <message>
+        <source>Section…</source>
+        <translation>轨型…</translation>
+    </message>
+    <message>
+        <source>Draw the section, or bring one along from a drawing</source>
+        <translation>绘制轨型，或从图纸导入</translation>
+    </message>
+    <message>
+        <source>What if…</source>
+        <translation>假设…</translation>
+    </message>
+    <message>
+        <source>Judge stored rails by the chosen recipe</source>
+        <translation>按所选配方评判已存钢轨</translation>
+    </message>
+    <message>
+        <source>Use for the next rail</source>
+        <translation>用于下一根钢轨</translation>
+    </message>
+    <message>
+        <source>Use the chosen recipe for the next rail</source>
+        <translation>将所选配方用于下一根钢轨</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Parameters of dimensions and settings of the stages</source>
+        <translation>尺寸参数与各环节设置</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen recipe</source>
+        <translation>所选配方的设置</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Name of the draft; another name makes a copy</source>
+        <translation>草稿名称；改名则另建副本</translation>
+    </message>
+    <message>
+        <source>On the line: %1 v%2.</source>
+        <translation>产线上：%1 v%2。</translation>
+    </message>
+    <message>
+        <source>From the next rail: %1.</source>
+        <translation>自下一根钢轨起：%1。</translation>
+    </message>
+    <message>
+        <source>Only an approved recipe is measured with.</source>
+        <translation>仅可用已批准的配方测量。</translation>
+    </message>
+    <message>
+        <source>%1: the value is not of its kind.</source>
+        <translation>%1：值的类型不符。</translation>
+    </message>
+    <message>
+        <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
+        <translation>%1 v%2 自下一根钢轨起生效；测量仪中的钢轨沿用开始时的配方。</translation>
+    </message>
+    <message>
+        <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
+        <translation>“假设”至少需要 %1 根轨型 %2 的已存钢轨，现有 %3 根：请先多测量。</translation>
+    </message>
+    <message>
+        <source>Recipes are read, drafts cannot be kept: %1.</source>
+        <translation>配方可读取，但无法保存草稿：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ReferencePanel</name>
+    <message>
+        <source>Reference piece</source>
+        <translation>标准件</translation>
+    </message>
+    <message>
+        <source>Certificate and gauge</source>
+        <translation>证书与测量仪</translation>
+    </message>
+    <message>
+        <source>Profiles that are averaged</source>
+        <translation>取平均的轮廓数</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>核查进度</translation>
+    </message>
+    <message>
+        <source>Measure the piece</source>
+        <translation>测量标准件</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>已取消：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>没有可供查看的装置：本版本不含相机。</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
+        <translation>产线测量时关闭：标准件位于钢轨通过之处。停止产线后继续。</translation>
+    </message>
+    <message>
+        <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
+        <translation>将带证书的轨段放入测量仪，用现行标定测量。在虚拟装置上为虚拟标准件，其真值即其证书（U = 2 µm）。</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>测量中…</translation>
+    </message>
+    <message>
+        <source>Next: measure the piece.</source>
+        <translation>下一步：测量标准件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
+        <translation>
+            <numerusform>测量仪在所有尺寸上与证书一致，基于 %n 个轮廓。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
+        <translation>测量仪与证书不一致。下一步：清洁标准件后重新测量；若仍如此，请标定测距仪。</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>证书 %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>实测 %1</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Deviation over U</source>
+        <translation>偏差 / U</translation>
+    </message>
+    <message>
+        <source>%1, differs</source>
+        <translation>%1，不一致</translation>
+    </message>
+    <message>
+        <source>not measured: %1</source>
+        <translation>未测：%1</translation>
+    </message>
 </context>
 <context>
     <name>vignole::ReplayCanvas</name>
     <message>
         <source>Profile of the stored rail</source>
         <translation>已存钢轨的轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigWizard</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>取消中…</translation>
+    </message>
+    <message>
+        <source>Range finders</source>
+        <translation>测距仪</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>结果含义</translation>
+    </message>
+    <message>
+        <source>Fit to the pins</source>
+        <translation>销钉拟合</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>Pins found (Fig. 8d)</source>
+        <translation>找到的销钉（图 8d）</translation>
+    </message>
+    <message>
+        <source>circles: the pins as found; points: the lines of the first placement</source>
+        <translation>圆：找到的销钉；点：首次放置的激光线</translation>
+    </message>
+    <message>
+        <source>Pins in the world</source>
+        <translation>世界坐标中的销钉</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>检验</translation>
+    </message>
+    <message>
+        <source>Put in force</source>
+        <translation>启用</translation>
+    </message>
+    <message>
+        <source>How often the plate is put down: four find an error of the plate as well.</source>
+        <translation>销钉板的放置次数：四次还可发现板本身的误差。</translation>
+    </message>
+    <message>
+        <source>Number of placements</source>
+        <translation>放置次数</translation>
+    </message>
+    <message>
+        <source>The virtual plate, for training</source>
+        <translation>虚拟销钉板，供培训</translation>
+    </message>
+    <message>
+        <source>is as its certificate says</source>
+        <translation>与证书一致</translation>
+    </message>
+    <message>
+        <source>is the mirror image of its file</source>
+        <translation>为其文件的镜像</translation>
+    </message>
+    <message>
+        <source>is not the one of the certificate</source>
+        <translation>不是证书所指的那块</translation>
+    </message>
+    <message>
+        <source>has lost pin 4</source>
+        <translation>缺少 4 号销钉</translation>
+    </message>
+    <message>
+        <source>Virtual plate</source>
+        <translation>虚拟销钉板</translation>
+    </message>
+    <message>
+        <source>Plate to the right, mm</source>
+        <translation>板向右，mm</translation>
+    </message>
+    <message>
+        <source>Plate up, mm</source>
+        <translation>板向上，mm</translation>
+    </message>
+    <message>
+        <source>Plate turned anticlockwise, degrees</source>
+        <translation>板逆时针旋转，度</translation>
+    </message>
+    <message>
+        <source>Plate tilted out of the light, degrees</source>
+        <translation>板倾斜出光平面，度</translation>
+    </message>
+    <message>
+        <source>tilt </source>
+        <translation>倾斜 </translation>
+    </message>
+    <message>
+        <source>Place as shown</source>
+        <translation>按图放置</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Take again</source>
+        <translation>重拍</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>产线测量时关闭</translation>
+    </message>
+    <message>
+        <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
+        <translation>销钉板位于钢轨通过之处，且需要使用相机。停止产线后继续；已拍内容将保留。</translation>
+    </message>
+    <message>
+        <source>To be repeated after so many days (0: never)</source>
+        <translation>多少天后重新标定（0：从不）</translation>
+    </message>
+    <message>
+        <source>Days after which the calibration is to be repeated</source>
+        <translation>标定须重新进行的天数</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Reason for the new calibration</source>
+        <translation>新标定的原因</translation>
+    </message>
+    <message>
+        <source>Progress of the solution</source>
+        <translation>求解进度</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Centre (CD)</source>
+        <translation>圆心（CD）</translation>
+    </message>
+    <message>
+        <source>Radius (RD)</source>
+        <translation>半径（RD）</translation>
+    </message>
+    <message>
+        <source>Points (PD)</source>
+        <translation>点（PD）</translation>
+    </message>
+    <message>
+        <source>Table IV: fit to the pins</source>
+        <translation>表 IV：销钉拟合</translation>
+    </message>
+    <message>
+        <source>Checks of the new calibration</source>
+        <translation>新标定的检验</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
+        <translation>没有可供查看的装置：本版本不含相机。请以虚拟装置启动程序。</translation>
+    </message>
+    <message>
+        <source>Four cameras together…</source>
+        <translation>四台相机联合求解…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>已取消：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>%1 is in force: the line measures with it from the next rail on.</source>
+        <translation>%1 已启用：产线自下一根钢轨起用其测量。</translation>
+    </message>
+    <message>
+        <source>Report of the calibration</source>
+        <translation>标定报告</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>turned and moved</source>
+        <translation>旋转并移动</translation>
+    </message>
+    <message>
+        <source>turned 180°</source>
+        <translation>旋转 180°</translation>
+    </message>
+    <message>
+        <source>moved %1 mm</source>
+        <translation>移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>as drawn, 0°</source>
+        <translation>按图，0°</translation>
+    </message>
+    <message>
+        <source>plate and cameras</source>
+        <translation>销钉板与相机</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>放置 %1</translation>
+    </message>
+    <message>
+        <source>four cameras together</source>
+        <translation>四台相机联合</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>对比</translation>
+    </message>
+    <message>
+        <source>old and new</source>
+        <translation>新与旧</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>reason and signature</source>
+        <translation>原因与签名</translation>
+    </message>
+    <message>
+        <source>placement %1 of %2</source>
+        <translation>放置 %1/%2</translation>
+    </message>
+    <message>
+        <source>U (k = 2) in %1</source>
+        <translation>U (k = 2)，%1</translation>
+    </message>
+    <message>
+        <source>mean / max in %1</source>
+        <translation>均值 / 最大，%1</translation>
+    </message>
+    <message>
+        <source>Plate, %1</source>
+        <translation>销钉板，%1</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>销钉板</translation>
+    </message>
+    <message>
+        <source>%1, U = 3 µm, pins towards the cameras</source>
+        <translation>%1，U = 3 µm，销钉朝向相机</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens as calibrated in this session</source>
+        <translation>相机 %1：本次标定的镜头</translation>
+    </message>
+    <message>
+        <source>Camera %1: lens of the calibration in force</source>
+        <translation>相机 %1：现行标定的镜头</translation>
+    </message>
+    <message>
+        <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
+
+%1</source>
+        <translation>将带 13 个销钉的销钉板放入测量仪中钢轨通过之处，销钉朝向相机，并在各次拍摄之间旋转和移动。新旧对比且经您确认之前不作任何应用。
+
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes the place of %2 from the next rail on. Both are kept and can be compared and put back.</source>
+        <translation>%1 自下一根钢轨起取代 %2。两者均保留，可对比，也可恢复。</translation>
+    </message>
+    <message>
+        <source>could not be asked</source>
+        <translation>无法检验</translation>
+    </message>
+    <message>
+        <source>%1, within %2</source>
+        <translation>%1，在 %2 以内</translation>
+    </message>
+    <message>
+        <source>%1, above %2</source>
+        <translation>%1，高于 %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>右移 %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>左移 %1</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>上移 %1</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>下移 %1</translation>
+    </message>
+    <message>
+        <source>turned by %1° anticlockwise</source>
+        <translation>逆时针转 %1°</translation>
+    </message>
+    <message>
+        <source>turned by %1° clockwise</source>
+        <translation>顺时针转 %1°</translation>
+    </message>
+    <message>
+        <source>Next: move the plate to the dashed outlines: %1.</source>
+        <translation>下一步：将销钉板移至虚线轮廓处：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Next: put the plate into the gauge.</source>
+        <translation>下一步：将销钉板放入测量仪。</translation>
+    </message>
+    <message>
+        <source>First placement</source>
+        <translation>首次放置</translation>
+    </message>
+    <message>
+        <source>Next placement</source>
+        <translation>下次放置</translation>
+    </message>
+    <message>
+        <source>Looking at the plate…</source>
+        <translation>正在观察销钉板…</translation>
+    </message>
+    <message>
+        <source>Camera %1: %2</source>
+        <translation>相机 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pins found</source>
+        <translation>找到销钉 %1/%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n picture(s) refused</source>
+        <translation>
+            <numerusform>，%n 张图像被拒绝</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All four cameras see the plate where it must lie. Next: “%1”.</source>
+        <translation>四台相机均在应在位置看到销钉板。下一步：“%1”。</translation>
+    </message>
+    <message>
+        <source>The poses of four cameras are found together with the pins.</source>
+        <translation>正在与销钉一并求解四台相机的位姿。</translation>
+    </message>
+    <message>
+        <source>Next: nothing to do; the comparison comes by itself.</source>
+        <translation>下一步：无需操作；对比会自行出现。</translation>
+    </message>
+    <message>
+        <source>Refused: it cannot be put in force.</source>
+        <translation>已拒绝：无法启用。</translation>
+    </message>
+    <message>
+        <source>May be used: every check is within its limit.</source>
+        <translation>可以使用：各项检验均在限值内。</translation>
+    </message>
+    <message numerus="yes">
+        <source>May be used, but %n dimension(s) get more than is allowed.</source>
+        <translation>
+            <numerusform>可以使用，但 %n 个尺寸超过允许值。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
+        <translation>下一步：在右侧对比新旧。您确认之前不作任何应用。</translation>
+    </message>
+    <message>
+        <source>Done. Next: start the line and watch the first rail.</source>
+        <translation>完成。下一步：启动产线并观察第一根钢轨。</translation>
+    </message>
+    <message>
+        <source>Next: give the reason and put it in force.</source>
+        <translation>下一步：填写原因并启用。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDialog</name>
+    <message>
+        <source>Drawing of a section</source>
+        <translation>轨型图</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>轨型</translation>
+    </message>
+    <message>
+        <source>Section with its primitives named</source>
+        <translation>标出图元名称的轨型</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>长度，mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>半径，mm</translation>
+    </message>
+    <message>
+        <source>Primitives of the section</source>
+        <translation>轨型的图元</translation>
+    </message>
+    <message>
+        <source>Name of the section</source>
+        <translation>轨型名称</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>等级</translation>
+    </message>
+    <message>
+        <source>Profile and straightness class of its recipe</source>
+        <translation>其配方的轮廓与平直度等级</translation>
+    </message>
+    <message>
+        <source>Open a drawing…</source>
+        <translation>打开图纸…</translation>
+    </message>
+    <message>
+        <source>Open a drawing of a section</source>
+        <translation>打开轨型图纸</translation>
+    </message>
+    <message>
+        <source>Make a draft of it</source>
+        <translation>据此建草稿</translation>
+    </message>
+    <message>
+        <source>Keep the section and make a draft of it</source>
+        <translation>保存轨型并据此建草稿</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>There is nothing in this file that could be drawn.</source>
+        <translation>此文件中没有可绘制的内容。</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>已拒绝：%1</translation>
+    </message>
+    <message>
+        <source>QA makes drafts: sign in.</source>
+        <translation>由质检建立草稿：请登录。</translation>
+    </message>
+    <message>
+        <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
+        <translation>打开图纸：一条由直线和圆弧组成的闭合轮廓，钢轨直立。</translation>
+    </message>
+    <message>
+        <source>DXF, JSON or a MiniProf design</source>
+        <translation>DXF、JSON 或 MiniProf 设计</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 mm high, %2 cm², %3 kg/m, %4; %n primitive(s)</source>
+        <translation>
+            <numerusform>高 %1 mm，%2 cm²，%3 kg/m，%4；%n 个图元</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>不对称</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
+        <translation>名称可含字母、数字、空格、点和连字符：它将成为文件名。</translation>
+    </message>
+    <message>
+        <source>%1 is a section of the catalogue: give yours another name.</source>
+        <translation>%1 是目录中的轨型：请另取名称。</translation>
+    </message>
+    <message>
+        <source>There is another section of the name %1: give a new name.</source>
+        <translation>已有另一名为 %1 的轨型：请取新名称。</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SectionDrawing</name>
+    <message>
+        <source>free end</source>
+        <translation>自由端</translation>
+    </message>
+    <message>
+        <source>open here: %1 mm</source>
+        <translation>此处断开：%1 mm</translation>
     </message>
 </context>
 <context>
@@ -3551,6 +5819,13 @@
     </message>
 </context>
 <context>
+    <name>vignole::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>第 %1 步，共 %2 步：%3</translation>
+    </message>
+</context>
+<context>
     <name>vignole::StripChart</name>
     <message>
         <source>%1 along the rail: %2</source>
@@ -3595,101 +5870,29 @@
         <source>no picture yet</source>
         <translation>尚无图像</translation>
     </message>
+    <message>
+        <source>upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
 </context>
 <context>
     <name>vignole::StripesPage</name>
-    <message>
-        <source>Line extraction</source>
-        <translation>线提取</translation>
-    </message>
-    <message>
-        <source>Smoothing σ</source>
-        <translation>平滑 σ</translation>
-    </message>
-    <message>
-        <source>Low threshold t_l</source>
-        <translation>低阈值 t_l</translation>
-    </message>
-    <message>
-        <source>High threshold t_h</source>
-        <translation>高阈值 t_h</translation>
-    </message>
-    <message>
-        <source>Link distance d</source>
-        <translation>连接距离 d</translation>
-    </message>
-    <message>
-        <source>Link angle α</source>
-        <translation>连接角 α</translation>
-    </message>
-    <message>
-        <source>%1 on trial</source>
-        <translation>试用 %1</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>使用中</translation>
-    </message>
-    <message>
-        <source>On trial</source>
-        <translation>试用</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差异</translation>
-    </message>
-    <message>
-        <source>In use against on trial</source>
-        <translation>使用中与试用对比</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>保存图像…</translation>
-    </message>
-    <message>
-        <source>Save the picture of the chosen camera</source>
-        <translation>保存所选相机的图像</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>放弃</translation>
-    </message>
-    <message>
-        <source>Discard what is on trial</source>
-        <translation>放弃试用</translation>
-    </message>
-    <message>
-        <source>Use from next start</source>
-        <translation>下次启动起使用</translation>
-    </message>
-    <message>
-        <source>Use what is on trial from the next start of the line</source>
-        <translation>产线下次启动起采用试用参数</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Reason for the change</source>
-        <translation>更改原因</translation>
-    </message>
-    <message>
-        <source>Live again</source>
-        <translation>恢复实时</translation>
-    </message>
-    <message>
-        <source>Freeze</source>
-        <translation>冻结</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures</source>
-        <translation>冻结图像</translation>
-    </message>
-    <message>
-        <source>Freeze the pictures (P)</source>
-        <translation>冻结图像（P）</translation>
-    </message>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
         <translation>试用参数在应用前仅作用于这些图像。</translation>
@@ -3697,14 +5900,6 @@
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
         <translation>任何人可试用；由已登录的技术员应用。</translation>
-    </message>
-    <message>
-        <source>lost: %1</source>
-        <translation>丢失：%1</translation>
-    </message>
-    <message>
-        <source>held, %1 old</source>
-        <translation>保持，%1 前</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3723,48 +5918,212 @@
         <translation>更改测量需说明原因。</translation>
     </message>
     <message>
-        <source>Is used from the next start of the line (Ctrl+R stops and starts it); the running rail keeps what it began with.</source>
-        <translation>自产线下次启动起使用（Ctrl+R 停止和启动）；当前钢轨保持原参数。</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>相机 %1</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>点数</translation>
-    </message>
-    <message>
-        <source>Saturated, %</source>
-        <translation>饱和，%</translation>
-    </message>
-    <message>
-        <source>Uncertainty, px</source>
-        <translation>不确定度，px</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>时间，ms</translation>
-    </message>
-    <message>
-        <source>Mean shift, px</source>
-        <translation>平均位移，px</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>保存图像</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>已写入 %1</translation>
+        <source>Lost: %1</source>
+        <translation>丢失：%1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>无法写入 %1</translation>
+        <source>Held</source>
+        <translation>保持</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>相机 %1</translation>
+        <source>The line has not been started (Ctrl+R).</source>
+        <translation>产线尚未启动（Ctrl+R）。</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 前</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is no longer held: the last %n are.</source>
+        <translation>
+            <numerusform>该图像已不再保留：仅保留最近 %n 张。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>无图像：%1</translation>
+    </message>
+    <message>
+        <source>Pictures behind the profile at %1 m.</source>
+        <translation>%1 m 处轮廓对应的图像。</translation>
+    </message>
+    <message>
+        <source>Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>等待下一根钢轨；当前钢轨沿用开始时的设置。</translation>
+    </message>
+    <message>
+        <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
+        <translation>没有档案库，无法记录更改：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>The change is being recorded…</source>
+        <translation>正在记录更改…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, because it could not be recorded: %1</source>
+        <translation>未作任何更改，因为无法记录：%1</translation>
+    </message>
+    <message>
+        <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
+        <translation>已记录。曝光在产线下次启动时更改，参数自下一根钢轨起更改。</translation>
+    </message>
+    <message>
+        <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
+        <translation>已记录。等待下一根钢轨；当前钢轨沿用开始时的设置。</translation>
+    </message>
+    <message>
+        <source>Camera %1 has no picture to save.</source>
+        <translation>相机 %1 没有可保存的图像。</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>正在保存 %1…</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::StudyPanel</name>
+    <message>
+        <source>Parameter study</source>
+        <translation>参数研究</translation>
+    </message>
+    <message>
+        <source>Main effects</source>
+        <translation>主效应</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Settings and their levels</source>
+        <translation>设置及其水平</translation>
+    </message>
+    <message>
+        <source>Influence of each setting</source>
+        <translation>各设置的影响</translation>
+    </message>
+    <message>
+        <source>Placements of the plate</source>
+        <translation>销钉板放置次数</translation>
+    </message>
+    <message>
+        <source>Placements of the plate for the study</source>
+        <translation>研究用销钉板放置次数</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>研究进度</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>开始研究</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>settings and levels</source>
+        <translation>设置与水平</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing has changed.</source>
+        <translation>已取消：未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation>研究报告</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: cameras are not part of this version.</source>
+        <translation>没有可供查看的装置：本版本不含相机。</translation>
+    </message>
+    <message>
+        <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
+        <translation>产线测量时关闭：销钉板位于钢轨通过之处。停止产线后继续。</translation>
+    </message>
+    <message>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>各水平的每种组合都是按论文方法对销钉板图像进行的一次标定。水平以逗号分隔；一个或没有水平：该设置不变化。</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>运行中…</translation>
+    </message>
+    <message>
+        <source>Next: choose levels and start.</source>
+        <translation>下一步：选择水平并开始。</translation>
+    </message>
+    <message>
+        <source>Exposure, ms</source>
+        <translation>曝光，ms</translation>
+    </message>
+    <message>
+        <source>Smoothing σ, px</source>
+        <translation>平滑 σ，px</translation>
+    </message>
+    <message>
+        <source>Ellipses a pin</source>
+        <translation>每销椭圆数</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::SupportBundle</name>
+    <message>
+        <source>is there already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>无法创建</translation>
+    </message>
+    <message>
+        <source>cancelled: nothing is left of it</source>
+        <translation>已取消：未留下任何内容</translation>
     </message>
 </context>
 <context>
@@ -3803,6 +6162,181 @@
     <message>
         <source>Begin</source>
         <translation>开始</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::TrialPanel</name>
+    <message>
+        <source>Line extraction</source>
+        <translation>线提取</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>曝光</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Low threshold</source>
+        <translation>低阈值</translation>
+    </message>
+    <message>
+        <source>High threshold</source>
+        <translation>高阈值</translation>
+    </message>
+    <message>
+        <source>Link distance</source>
+        <translation>连接距离</translation>
+    </message>
+    <message>
+        <source>Link angle</source>
+        <translation>连接角度</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>现用</translation>
+    </message>
+    <message>
+        <source>On trial</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>%1 on trial</source>
+        <translation>%1，试用</translation>
+    </message>
+    <message>
+        <source>%1: less</source>
+        <translation>%1：减小</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1：增大</translation>
+    </message>
+    <message>
+        <source>Choose camera %1</source>
+        <translation>选择相机 %1</translation>
+    </message>
+    <message>
+        <source>Pixels with the line in use</source>
+        <translation>含现用线的像素</translation>
+    </message>
+    <message>
+        <source>Pixels with the line on trial</source>
+        <translation>含试用线的像素</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>In use against on trial</source>
+        <translation>现用与试用对比</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Gained, lost</source>
+        <translation>增加，减少</translation>
+    </message>
+    <message>
+        <source>Saturated points</source>
+        <translation>饱和点数</translation>
+    </message>
+    <message>
+        <source>Uncertainty, px</source>
+        <translation>不确定度，px</translation>
+    </message>
+    <message>
+        <source>Shift: mean, largest, px</source>
+        <translation>偏移：平均，最大，px</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>时间，ms</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the picture of the chosen camera (Ctrl+S)</source>
+        <translation>保存所选相机的图像（Ctrl+S）</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>冻结</translation>
+    </message>
+    <message>
+        <source>Live pictures again (P)</source>
+        <translation>恢复实时图像（P）</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures (P)</source>
+        <translation>冻结图像（P）</translation>
+    </message>
+    <message>
+        <source>Freeze the pictures</source>
+        <translation>冻结图像</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>The pictures behind the newest profile (B)</source>
+        <translation>最新轮廓对应的图像（B）</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Discard what is on trial</source>
+        <translation>放弃试用内容</translation>
+    </message>
+    <message>
+        <source>Use from next rail</source>
+        <translation>下一根起采用</translation>
+    </message>
+    <message>
+        <source>Use what is on trial from the next rail on</source>
+        <translation>自下一根钢轨起采用试用内容</translation>
+    </message>
+    <message>
+        <source>Reason for the change</source>
+        <translation>更改原因</translation>
+    </message>
+    <message>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>这些相机的曝光不能在此更改。</translation>
+    </message>
+    <message>
+        <source>camera %1, frozen</source>
+        <translation>相机 %1，已冻结</translation>
+    </message>
+    <message>
+        <source>camera %1, live</source>
+        <translation>相机 %1，实时</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>无图像</translation>
+    </message>
+    <message>
+        <source>nothing on trial: change a parameter</source>
+        <translation>无试用内容：更改一个参数</translation>
     </message>
 </context>
 <context>
@@ -3957,6 +6491,41 @@
     <message>
         <source>fewer than %1 rails prove little</source>
         <translation>少于 %1 根钢轨说明不了问题</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::WorthTable</name>
+    <message>
+        <source>Dimension</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>现行</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新</translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation>允许值</translation>
+    </message>
+    <message>
+        <source>Largest part</source>
+        <translation>最大分量</translation>
+    </message>
+    <message>
+        <source>What the calibration is worth for each dimension</source>
+        <translation>标定对各尺寸的不确定度</translation>
+    </message>
+    <message>
+        <source>More than the tolerance allows</source>
+        <translation>超过公差允许</translation>
+    </message>
+    <message>
+        <source>too much: %1</source>
+        <translation>过大：%1</translation>
     </message>
 </context>
 </TS>

@@ -18,7 +18,9 @@ Eigen::Matrix<double, kRigParameters, Eigen::Dynamic> compressed(const Eigen::Ma
   // Units of the rows differ by orders of magnitude.
   Eigen::VectorXd scale = effects.rowwise().norm();
   const Eigen::VectorXd inverse = scale.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(inverse.asDiagonal() * effects, Eigen::ComputeThinU);
+  // Not BDCSVD: Eigen 3.4's stops with an assertion on some matrices with singular values that are about equal, such as
+  // those of cameras without uncertain intrinsics.
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(inverse.asDiagonal() * effects, Eigen::ComputeThinU);
   constexpr double kNothing = 1e-9;
   Eigen::Index rank = 0;
   while (rank < svd.singularValues().size() && svd.singularValues()[rank] > kNothing) ++rank;
@@ -42,8 +44,7 @@ std::vector<ErrorSource> errorSources(const Influence& influence, const PinPlate
 
 void addSources(std::vector<ErrorSource>& all, std::vector<ErrorSource> more) {
   for (ErrorSource& source : more) {
-    const auto same =
-        std::find_if(all.begin(), all.end(), [&](const ErrorSource& s) { return s.name == source.name; });
+    const auto same = std::find_if(all.begin(), all.end(), [&](const ErrorSource& s) { return s.name == source.name; });
     if (same == all.end())
       all.push_back(std::move(source));
     else

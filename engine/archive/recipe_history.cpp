@@ -155,6 +155,8 @@ Expected<void> RecipeHistory::approve(std::int64_t key, const std::string& user,
     if (v.state != RecipeState::Draft)
       throw DatabaseFailure(
           {shownName(v), "is no draft (" + std::string(vignole::name(v.state)) + ")", ErrorKind::Input});
+    if (v.createdBy == user)
+      throw DatabaseFailure({shownName(v), "was drafted by " + user + "; somebody else approves it", ErrorKind::Input});
     for (const RecipeVersion& earlier :
          select(*database_, "name = :a and state = :b", {v.name, number(RecipeState::Approved)}))
       decide(*database_, earlier, RecipeState::Retired, user, "replaced by " + shownName(v));

@@ -36,7 +36,7 @@ class RecipeHistory {
   /// `recipe.version` must be new for its name. Refuses a recipe that is the same as one that is there.
   [[nodiscard]] Expected<RecipeVersion> addDraft(const Recipe& recipe, const std::string& user,
                                                  const std::string& note);
-  /// A draft; earlier approved versions of the name are retired by it.
+  /// A draft of somebody else; earlier approved versions of the name are retired by it.
   [[nodiscard]] Expected<void> approve(std::int64_t key, const std::string& user, const std::string& reason);
   [[nodiscard]] Expected<void> retire(std::int64_t key, const std::string& user, const std::string& reason);
   /// Empty: no version of it is approved.

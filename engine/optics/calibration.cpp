@@ -116,8 +116,7 @@ std::string toToml(const RigCalibration& calibration) {
 }
 
 namespace {
-
-Expected<RigCalibration> calibrationFrom(Expected<TomlReader> opened) {
+Expected<RigCalibration> readCalibration(Expected<TomlReader> opened) {
   if (!opened) return tl::unexpected<Error>(opened.error());
   TomlReader& toml = *opened;
   RigCalibration calibration;
@@ -147,15 +146,14 @@ Expected<RigCalibration> calibrationFrom(Expected<TomlReader> opened) {
   if (auto done = toml.finish(); !done) return tl::unexpected<Error>(done.error());
   return calibration;
 }
-
 }  // namespace
 
 Expected<RigCalibration> loadCalibration(const std::filesystem::path& file) {
-  return calibrationFrom(TomlReader::load(file));
+  return readCalibration(TomlReader::load(file));
 }
 
 Expected<RigCalibration> parseCalibration(std::string_view text, const std::string& nameInErrors) {
-  return calibrationFrom(TomlReader::parse(text, nameInErrors));
+  return readCalibration(TomlReader::parse(text, nameInErrors));
 }
 
 Expected<void> saveCalibration(const RigCalibration& calibration, const std::filesystem::path& file) {

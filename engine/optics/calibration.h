@@ -80,7 +80,7 @@ struct RigCalibration {
 
 /// TOML, format = 1. Refuses unknown keys, values out of range, rotations that are none (file, key, reason).
 [[nodiscard]] Expected<RigCalibration> loadCalibration(const std::filesystem::path& file);
-/// The same from a text, as toToml() makes it.
+/// The same from a text; `nameInErrors` stands for the file.
 [[nodiscard]] Expected<RigCalibration> parseCalibration(std::string_view text, const std::string& nameInErrors);
 /// Written atomically: temporary file, fsync, rename; the previous version is kept as FILE~.
 [[nodiscard]] Expected<void> saveCalibration(const RigCalibration& calibration, const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #pragma once
 // From loose lines and arcs of a drawing to a section: stitched, turned the right way round, named after Table I.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct Piece {
 /// joined. Refuses an open outline (naming the first gap) and anything beside one outline.
 [[nodiscard]] Expected<std::vector<Primitive>> stitch(std::vector<Piece> pieces);
 
+/// Where an outline that stitch() refuses is open: the first free end, and the nearest other one.
+struct OutlineGap {
+  Point2 end;
+  std::optional<Point2> other;
+};
+/// Empty: every end meets another one.
+[[nodiscard]] std::optional<OutlineGap> firstGap(std::vector<Piece> pieces);
+
 /// Moves the origin to the centre of the foot bottom and names the primitives by walking the outline up both sides.
 /// Refuses what does not look like an upright rail with a foot, naming what was looked for.
 [[nodiscard]] Expected<Section> sectionFromOutline(std::vector<Primitive> outline, const std::string& name);
@@ -31,6 +40,8 @@ struct Piece {
 /// MPDn lines of a MiniProf design file.
 [[nodiscard]] Expected<std::vector<Piece>> readMiniprofDesign(const std::filesystem::path& file);
 
+/// What is drawn in a .dxf or a MiniProf design, before anything is asked of it.
+[[nodiscard]] Expected<std::vector<Piece>> readPieces(const std::filesystem::path& file);
 /// A section from a file of users: .dxf, .json, or a MiniProf design (.ban, .prr).
 [[nodiscard]] Expected<Section> importSection(const std::filesystem::path& file, const std::string& name);
 

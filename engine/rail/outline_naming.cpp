@@ -213,19 +213,31 @@ DimensionParameters usualParameters(const Section& section) {
   return parameters;
 }
 
-Expected<Section> importSection(const std::filesystem::path& file, const std::string& name) {
+namespace {
+
+std::string kindOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".json") {
+  return extension;
+}
+
+}  // namespace
+
+Expected<std::vector<Piece>> readPieces(const std::filesystem::path& file) {
+  const std::string kind = kindOf(file);
+  if (kind == ".dxf") return readDxf(file);
+  if (kind == ".ban" || kind == ".prr") return readMiniprofDesign(file);
+  return inputError(file.string(), "is of an unknown kind; give a .dxf, a .json or a MiniProf design (.ban, .prr)");
+}
+
+Expected<Section> importSection(const std::filesystem::path& file, const std::string& name) {
+  if (kindOf(file) == ".json") {
     auto section = loadSection(file);
     if (section) section->name = name;
     return section;
   }
-  if (extension != ".dxf" && extension != ".ban" && extension != ".prr")
-    return inputError(file.string(), "is of an unknown kind; give a .dxf, a .json or a MiniProf design (.ban, .prr)");
-
-  auto pieces = extension == ".dxf" ? readDxf(file) : readMiniprofDesign(file);
+  auto pieces = readPieces(file);
   if (!pieces) return tl::unexpected(pieces.error());
   auto outline = stitch(std::move(*pieces));
   auto section =

@@ -47,6 +47,22 @@ std::vector<FreeEnd> freeEnds(const std::vector<Piece>& pieces) {
   return found;
 }
 
+/// Without points, and without what is drawn twice: drawings often hold the same line again.
+void clean(std::vector<Piece>& pieces) {
+  std::erase_if(pieces, [](const Piece& p) { return length(p.shape) < kJoinedMm; });
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t j = pieces.size() - 1; j > i; --j)
+      if (samePiece(pieces[i].shape, pieces[j].shape)) pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
+}
+
+/// The free end that is nearest to the first one; there are two or more.
+const FreeEnd& nearestToFirst(const std::vector<FreeEnd>& ends) {
+  const FreeEnd& first = ends.front();
+  return *std::min_element(ends.begin() + 1, ends.end(), [&](const FreeEnd& a, const FreeEnd& b) {
+    return (a.at - first.at).squaredNorm() < (b.at - first.at).squaredNorm();
+  });
+}
+
 tl::unexpected<Error> openAt(const std::vector<Piece>& pieces, const std::vector<FreeEnd>& ends) {
   const FreeEnd& first = ends.front();
   std::string text;
@@ -55,9 +71,7 @@ tl::unexpected<Error> openAt(const std::vector<Piece>& pieces, const std::vector
                 pieces[first.piece].label.c_str(), first.at.x(), first.at.y());
   text = line.data();
   if (ends.size() > 1) {
-    const auto nearest = std::min_element(ends.begin() + 1, ends.end(), [&](const FreeEnd& a, const FreeEnd& b) {
-      return (a.at - first.at).squaredNorm() < (b.at - first.at).squaredNorm();
-    });
+    const FreeEnd* nearest = &nearestToFirst(ends);
     std::snprintf(line.data(), line.size(), ", the nearest free end is that of %s at (%.4f, %.4f), %.4g mm away",
                   pieces[nearest->piece].label.c_str(), nearest->at.x(), nearest->at.y(),
                   (nearest->at - first.at).norm());
@@ -104,11 +118,17 @@ void mergeHalves(std::vector<Primitive>& outline) {
 
 }  // namespace
 
+std::optional<OutlineGap> firstGap(std::vector<Piece> pieces) {
+  clean(pieces);
+  const auto ends = freeEnds(pieces);
+  if (ends.empty()) return {};
+  OutlineGap gap{ends.front().at, {}};
+  if (ends.size() > 1) gap.other = nearestToFirst(ends).at;
+  return gap;
+}
+
 Expected<std::vector<Primitive>> stitch(std::vector<Piece> pieces) {
-  std::erase_if(pieces, [](const Piece& p) { return length(p.shape) < kJoinedMm; });
-  for (std::size_t i = 0; i < pieces.size(); ++i)  // drawings often hold the same line twice
-    for (std::size_t j = pieces.size() - 1; j > i; --j)
-      if (samePiece(pieces[i].shape, pieces[j].shape)) pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
+  clean(pieces);
   if (pieces.size() < 3) return inputError("outline", "has fewer than 3 lines and arcs; a closed section is expected");
   if (const auto ends = freeEnds(pieces); !ends.empty()) return openAt(pieces, ends);
 

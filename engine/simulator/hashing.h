@@ -29,7 +29,8 @@ enum class Stream : std::uint64_t {
   Spurious,
   Target,
   View,
-  IntrinsicsError
+  IntrinsicsError,
+  Encoder
 };
 
 /// SplitMix64's finaliser (Steele, Lea, Flood 2014).

@@ -175,7 +175,7 @@ Expected<std::shared_ptr<const VirtualRig>> VirtualRig::create(VirtualRigSetting
   const MotionSettings motion{
       effects.wander, effects.vibration,
       effects.motion * std::min(settings.exposureMs / 1000, settings.spacingMm / settings.speedMmPerS)};
-  const std::uint64_t seed = settings.seed;
+  const std::uint64_t seed = settings.passSeed.value_or(settings.seed);
   const double exposure = settings.exposureMs / kUsualExposureMs;
   std::unique_ptr<Impl> impl(new Impl{std::move(settings), geometry, std::move(models), std::move(modelOfFault),
                                       *std::move(law), RailMotion(seed, motion),

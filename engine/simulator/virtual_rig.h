@@ -54,6 +54,9 @@ struct VirtualRigSettings {
   Section section;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> rigSeed;  ///< draws the rig itself; default: the seed
+  /// Draws how the rail passes and what the cameras add: wander, vibration, scale, speckle, noise. Another one is
+  /// another inspection of the same rail by the same rig; default: the seed.
+  std::optional<std::uint64_t> passSeed;
   double spacingMm = 15;
   double speedMmPerS = 1000;
   double exposureMs = 15;    ///< scales the light, and the ambient; what moves within it is blurred

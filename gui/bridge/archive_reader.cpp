@@ -28,7 +28,7 @@ void ArchiveReader::ask(const std::string& kind, Question question) {
 
 void ArchiveReader::run(const std::stop_token& stop) {
   std::optional<Archive> archive;
-  std::string problem = "there is none";
+  std::string problem = "no archive was asked for (--archive)";
   while (!stop.stop_requested()) {
     Question question;
     {

@@ -15,6 +15,7 @@
 #include "engine/inspection/latest_frames.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/recipe/recipe.h"
+#include "gui/bridge/seam_watch.h"
 
 namespace vignole {
 
@@ -50,6 +51,7 @@ struct LineSnapshot {
   LineState state = LineState::Idle;
   std::string error;               ///< of Fault
   const Recipe* recipe = nullptr;  ///< never null
+  std::string nextRecipe;          ///< "60E1 X/A v3", in force from the next rail; empty: the same
   std::string calibrationMethod;
   bool simulation = true;
   std::shared_ptr<const ProfileResult> latest;  ///< null: no profile yet
@@ -64,6 +66,7 @@ struct LineSnapshot {
   std::vector<StageStatistics> stages;
   TriggerLedger triggers;                    ///< like `stages`, since the line was started or its settings changed
   std::optional<StripeSettings> nextStripe;  ///< waits for the next rail
+  std::shared_ptr<const DriftTrack> drift;   ///< null: nobody watches the seams
 
   /// Values are no longer live: they are shown grey, with their age.
   [[nodiscard]] bool held() const { return latest && state != LineState::Measuring && ageS > 1.0; }
@@ -91,10 +94,18 @@ class Line {
   [[nodiscard]] virtual std::optional<double> exposureMs() const { return {}; }  ///< empty: not told
   /// From the next start on. Only where pictures can be made again.
   virtual void useExposure(double /*exposureMs*/) {}
-  /// In force.
+  /// The one that is measured with, or will be from the next rail on; without an id: the line does not tell.
   [[nodiscard]] virtual RigCalibration calibration() { return {}; }
+  /// From the next rail on; the running rail keeps what it began with.
+  virtual void useCalibration(const RigCalibration& /*calibration*/) {}
+  /// Of the virtual rig that stands in for cameras; empty: there are cameras.
+  [[nodiscard]] virtual std::optional<std::uint64_t> virtualRigSeed() const { return {}; }
   /// From the next rail on; the running rail keeps what it began with. Settings are checked().
   virtual void useStripeSettings(const StripeSettings& /*settings*/) {}
+  /// From the next rail on; the running rail keeps what it began with. Refuses what the line cannot measure.
+  [[nodiscard]] virtual Expected<void> useRecipe(const Recipe& /*recipe*/) {
+    return inputError("recipe", "this line keeps the one it was started with");
+  }
   /// Where the papers of the next rail are handed in; null: the line takes none.
   [[nodiscard]] virtual RailAnnouncements* announcements() { return nullptr; }
 };

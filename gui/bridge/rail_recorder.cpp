@@ -23,6 +23,7 @@ InspectionObserver recorded(InspectionObserver watch, RailWriter& writer, std::s
     if (ended) ended(rail, ledger);
   };
   both.ended = std::move(watch.ended);
+  both.frameExtracted = std::move(watch.frameExtracted);
   return both;
 }
 

@@ -107,8 +107,17 @@ std::optional<std::string> RailWatch::ended() const {
   return ended_;
 }
 
-void RailWatch::restart() {
+void RailWatch::forget() {
+  mailbox_.clear();
+  lastArrival_.reset();
   const std::lock_guard lock(mutex_);
+  summariser_.reset();
+  ledger_ = {};
+}
+
+void RailWatch::restart(const std::string& calibrationId) {
+  const std::lock_guard lock(mutex_);
+  if (!calibrationId.empty()) calibrationId_ = calibrationId;
   ended_.reset();
   underWay_ = false;
   cameras_ = {};

@@ -32,7 +32,9 @@ class RailWatch {
   [[nodiscard]] bool railUnderWay() const;
   /// Set once the engine has ended; empty text: all went well.
   [[nodiscard]] std::optional<std::string> ended() const;
-  void restart();  ///< before another inspection; keeps the rails that passed
+  /// Before another inspection; keeps the rails that passed. Empty: the calibration is the same.
+  void restart(const std::string& calibrationId = {});
+  void forget();  ///< what was measured last: the recipe is another. Between two inspections
 
  private:
   struct Absence {

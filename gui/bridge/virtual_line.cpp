@@ -8,6 +8,7 @@
 #include "engine/acquisition/rail_gate.h"
 #include "gui/bridge/rail_recorder.h"
 #include "gui/bridge/rail_watch.h"
+#include "gui/bridge/seam_watch.h"
 
 namespace vignole {
 
@@ -50,35 +51,59 @@ class PicturesOfRig {
 }  // namespace
 
 struct VirtualLine::Impl {
+  /// What the next rail is measured with.
+  struct Change {
+    Recipe recipe;
+    std::shared_ptr<const RigCalibration> calibration;
+    std::optional<VirtualRigSettings> rig;  ///< the rail that is rendered is another
+  };
+  /// Made ready while the running rail goes on: between two rails there is no time for it.
+  struct Ready {
+    std::shared_ptr<const VirtualRig> rig;   ///< null: the same, and
+    std::unique_ptr<Inspection> inspection;  ///< of the rail behind the gate
+  };
+
   VirtualLineSettings settings;
   std::shared_ptr<const VirtualRig> rig;
+  std::shared_ptr<const RigCalibration> calibration;
   RailWatch watch;
+  SeamWatch seams;
   RailAnnouncements announcements;
-  // The inspection uses source and watch: it is declared last and goes first.
+  // The inspection uses source and watch: it is declared behind them and goes first.
   std::shared_ptr<LatestFrames> frames = std::make_shared<LatestFrames>();
-  std::optional<StripeSettings> nextStripe;
   std::unique_ptr<FrameSource> source;
   std::unique_ptr<RailGate> gate;
   std::unique_ptr<Inspection> inspection;
-  std::future<std::unique_ptr<Inspection>> nextInspection;  ///< of the rail behind the gate
+  std::optional<Change> next;
+  std::future<Ready> ready;  ///< of `next`
   RailWriter* writer = nullptr;
   std::uint64_t starts = 0;
   bool stopAsked = false;
   LineSnapshot snapshot;
 
   Impl(VirtualLineSettings s, std::shared_ptr<const VirtualRig> r)
-      : settings(std::move(s)), rig(std::move(r)), watch(settings.recipe, rig->calibration().id) {
+      : settings(std::move(s)),
+        rig(std::move(r)),
+        calibration(std::make_shared<const RigCalibration>(rig->calibration())),
+        watch(settings.recipe, calibration->id),
+        seams(settings.recipe.section) {
     snapshot.recipe = &settings.recipe;
-    snapshot.calibrationMethod = rig->calibration().method;
+    snapshot.calibrationMethod = calibration->method;
     snapshot.expectedPerS = settings.rig.speedMmPerS / settings.rig.spacingMm;
   }
 
-  [[nodiscard]] InspectionObserver observer(const Recipe& recipe);
-  /// A change waits for the end of the running rail, or has just met it.
-  [[nodiscard]] bool changing() const {
-    return nextInspection.valid() && !stopAsked && watch.ended().value_or("").empty();
-  }
+  [[nodiscard]] Change change() const { return next ? *next : Change{settings.recipe, calibration, {}}; }
+  void ask(Change wanted);
+  /// `next` comes into force: between two inspections.
+  void changeOver();
   void takeTurns();
+  void begin();
+  [[nodiscard]] VirtualRigSettings rigOfThisStart() const;
+  [[nodiscard]] InspectionObserver observer(const Recipe& recipe, const RigCalibration& calibration);
+
+  /// A change waits for the end of the running rail, or has just met it.
+  [[nodiscard]] bool changing() const { return ready.valid() && !stopAsked && watch.ended().value_or("").empty(); }
+  [[nodiscard]] bool running() const { return inspection && (inspection->running() || changing()); }
 
   [[nodiscard]] LineState state() const {
     if (starts == 0) return LineState::Idle;
@@ -98,39 +123,69 @@ Expected<std::unique_ptr<VirtualLine>> VirtualLine::create(const VirtualLineSett
 VirtualLine::VirtualLine(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 VirtualLine::~VirtualLine() = default;
 
+/// The same rig sees another rail after each start, as a mill would: only the seed of the rail moves on.
+VirtualRigSettings VirtualLine::Impl::rigOfThisStart() const {
+  VirtualRigSettings now = settings.rig;
+  now.rigSeed = settings.rig.rigSeed.value_or(settings.rig.seed);
+  now.seed = settings.rig.seed + starts;
+  return now;
+}
+
 void VirtualLine::start() {
   Impl& i = *impl_;
   if (running()) return;
-  i.nextInspection = {};
+  i.ready = {};
   i.inspection.reset();  // joins what has ended; before its source goes
-  if (i.starts > 0 || i.rig->settings().exposureMs != i.settings.rig.exposureMs) {
-    // The same rig sees another rail, as a mill would: only the seed of the rail moves on.
-    VirtualRigSettings next = i.settings.rig;
-    next.rigSeed = i.settings.rig.rigSeed.value_or(i.settings.rig.seed);
-    next.seed = i.settings.rig.seed + i.starts;
-    if (auto rig = VirtualRig::create(next)) i.rig = *std::move(rig);
-  }
-  VirtualSourceSettings source;
-  source.rails = std::numeric_limits<int>::max();
-  source.lengthMm = i.settings.railLengthMm;
-  source.paced = true;
-  i.announcements.restart();
-  i.source = announced(makeVirtualSource(i.rig, source), i.announcements);
-  i.gate = std::make_unique<RailGate>(*i.source);
-  i.frames->restart();
-  if (i.nextStripe) i.settings.recipe.stripe = *std::exchange(i.nextStripe, std::nullopt);
-  i.watch.restart();
+  const bool rendersOther =
+      i.starts > 0 || (i.next && i.next->rig) || i.rig->settings().exposureMs != i.settings.rig.exposureMs;
+  i.changeOver();
+  if (rendersOther)
+    if (auto rig = VirtualRig::create(i.rigOfThisStart())) i.rig = *std::move(rig);
   i.stopAsked = false;
-  ++i.starts;
-  i.inspection =
-      std::make_unique<Inspection>(*i.gate, i.settings.recipe, i.rig->calibration(), i.observer(i.settings.recipe));
-  i.inspection->start();
+  i.begin();
 }
 
-InspectionObserver VirtualLine::Impl::observer(const Recipe& recipe) {
-  InspectionObserver told = tapped(watch.observer(), frames);
+void VirtualLine::Impl::changeOver() {
+  watch.restart(calibration->id);
+  if (!next) return;
+  const Change now = *std::exchange(next, std::nullopt);
+  const bool otherSection = settings.recipe.section.name != now.recipe.section.name;
+  if (now.recipe.name != settings.recipe.name || otherSection) {
+    // What was measured against another recipe is no longer shown.
+    watch.forget();
+    snapshot.latest.reset();
+    snapshot.rail.reset();
+  }
+  const bool seamsAnew = now.calibration != calibration || otherSection;
+  settings.recipe = now.recipe;  // in place: who draws the section refers to it
+  if (now.rig) settings.rig = *now.rig;
+  calibration = now.calibration;
+  if (seamsAnew) seams.restart(settings.recipe.section);
+  watch.restart(calibration->id);
+  snapshot.calibrationMethod = calibration->method;
+  snapshot.nextStripe.reset();
+  snapshot.nextRecipe.clear();
+}
+
+void VirtualLine::Impl::begin() {
+  VirtualSourceSettings rails;
+  rails.rails = std::numeric_limits<int>::max();
+  rails.lengthMm = settings.railLengthMm;
+  rails.paced = true;
+  announcements.restart();
+  source = announced(makeVirtualSource(rig, rails), announcements);
+  gate = std::make_unique<RailGate>(*source);
+  frames->restart();
+  ++starts;
+  inspection =
+      std::make_unique<Inspection>(*gate, settings.recipe, *calibration, observer(settings.recipe, *calibration));
+  inspection->start();
+}
+
+InspectionObserver VirtualLine::Impl::observer(const Recipe& recipe, const RigCalibration& measuresWith) {
+  InspectionObserver told = tapped(seams.watched(watch.observer()), frames);
   if (writer == nullptr) return told;
-  auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{recipe, rig->calibration()});
+  auto setup = std::make_shared<MeasuringSetup>(MeasuringSetup{recipe, measuresWith});
   const auto papersOf = [this](const RailBegin& rail) {
     const RailAnnouncement known = announcements.taken(rail.firstTrigger);
     RailPapers papers;
@@ -141,29 +196,72 @@ InspectionObserver VirtualLine::Impl::observer(const Recipe& recipe) {
   return recorded(std::move(told), *writer, std::move(setup), papersOf, [this] { return inspection->stages(); });
 }
 
-void VirtualLine::useStripeSettings(const StripeSettings& settings) {
-  Impl& i = *impl_;
-  i.nextStripe = settings;
-  if (!running()) return;
-  Recipe next = i.settings.recipe;
-  next.stripe = settings;
-  // Made ready while the rail still runs: between two rails there is no time for it.
-  i.nextInspection = std::async(std::launch::async, [gate = i.gate.get(), next, calibration = i.rig->calibration(),
-                                                     observer = i.observer(next)]() mutable {
-    return std::make_unique<Inspection>(*gate, std::move(next), std::move(calibration), std::move(observer));
-  });
-  i.gate->close();
+void VirtualLine::Impl::ask(Change wanted) {
+  next = std::move(wanted);
+  if (!running() || stopAsked) return;
+  if (next->rig) {
+    VirtualRigSettings other = *next->rig;
+    other.seed += starts;
+    ready = std::async(std::launch::async, [other] {
+      auto made = VirtualRig::create(other);
+      return Ready{made ? *std::move(made) : nullptr, nullptr};
+    });
+  } else {
+    ready = std::async(std::launch::async, [from = gate.get(), recipe = next->recipe, with = *next->calibration,
+                                            told = observer(next->recipe, *next->calibration)]() mutable {
+      return Ready{nullptr, std::make_unique<Inspection>(*from, std::move(recipe), std::move(with), std::move(told))};
+    });
+  }
+  gate->close();
 }
 
 void VirtualLine::Impl::takeTurns() {
   if (!changing() || inspection->running()) return;
-  if (nextInspection.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  if (ready.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   inspection.reset();
-  inspection = nextInspection.get();
-  settings.recipe.stripe = *std::exchange(nextStripe, std::nullopt);
-  watch.restart();
-  gate->open();
-  inspection->start();
+  Ready now = ready.get();
+  changeOver();
+  if (now.inspection) {
+    inspection = std::move(now.inspection);
+    gate->open();
+    inspection->start();
+  } else {
+    if (now.rig) rig = std::move(now.rig);
+    begin();
+  }
+}
+
+void VirtualLine::useStripeSettings(const StripeSettings& settings) {
+  Impl::Change wanted = impl_->change();
+  wanted.recipe.stripe = settings;
+  impl_->snapshot.nextStripe = settings;
+  impl_->ask(std::move(wanted));
+}
+
+void VirtualLine::useCalibration(const RigCalibration& calibration) {
+  Impl::Change wanted = impl_->change();
+  wanted.calibration = std::make_shared<const RigCalibration>(calibration);
+  impl_->ask(std::move(wanted));
+}
+
+Expected<void> VirtualLine::useRecipe(const Recipe& recipe) {
+  Impl& i = *impl_;
+  Impl::Change wanted = i.change();
+  VirtualRigSettings rig = wanted.rig.value_or(i.settings.rig);
+  rig.rigSeed = rig.rigSeed.value_or(rig.seed);
+  // A rail that is rendered wrong on purpose stays wrong.
+  const bool right = rig.section.name == wanted.recipe.section.name;
+  if (right && toJson(recipe.section) != toJson(rig.section)) {
+    rig.section = recipe.section;
+    rig.parameters = recipe.parameters;
+    if (const auto possible = VirtualRig::create(rig); !possible) return tl::unexpected(possible.error());
+    wanted.rig = std::move(rig);
+  }
+  wanted.recipe = recipe;
+  i.snapshot.nextStripe.reset();
+  i.snapshot.nextRecipe = recipe.name + " v" + std::to_string(recipe.version);
+  i.ask(std::move(wanted));
+  return {};
 }
 
 PictureAgain VirtualLine::pictureAgain() {
@@ -177,7 +275,7 @@ std::optional<double> VirtualLine::exposureMs() const { return impl_->rig->setti
 void VirtualLine::useExposure(double exposureMs) { impl_->settings.rig.exposureMs = exposureMs; }
 
 std::shared_ptr<LatestFrames> VirtualLine::frames() { return impl_->frames; }
-RigCalibration VirtualLine::calibration() { return impl_->rig->calibration(); }
+RigCalibration VirtualLine::calibration() { return impl_->next ? *impl_->next->calibration : *impl_->calibration; }
 
 void VirtualLine::record(RailWriter* writer) { impl_->writer = writer; }
 
@@ -188,7 +286,11 @@ void VirtualLine::stop() {
   if (impl_->inspection) impl_->inspection->stop();
 }
 
-bool VirtualLine::running() const { return impl_->inspection && (impl_->inspection->running() || impl_->changing()); }
+bool VirtualLine::running() const { return impl_->running(); }
+
+std::optional<std::uint64_t> VirtualLine::virtualRigSeed() const {
+  return impl_->settings.rig.rigSeed.value_or(impl_->settings.rig.seed);
+}
 
 const LineSnapshot& VirtualLine::pull(PullDetail detail) {
   Impl& i = *impl_;
@@ -198,8 +300,8 @@ const LineSnapshot& VirtualLine::pull(PullDetail detail) {
   if (detail == PullDetail::Everything && i.inspection) {
     i.snapshot.stages = i.inspection->stages();
     i.snapshot.triggers = i.inspection->triggers();
-    i.snapshot.nextStripe = i.nextStripe;
     i.snapshot.error = i.watch.ended().value_or("");
+    i.snapshot.drift = i.seams.track();
   }
   return i.snapshot;
 }

@@ -33,8 +33,13 @@ class VirtualLine : public Line {
   [[nodiscard]] PictureAgain pictureAgain() override;
   [[nodiscard]] std::optional<double> exposureMs() const override;
   void useExposure(double exposureMs) override;
+  /// The exact one of the rig until another is to be used
   [[nodiscard]] RigCalibration calibration() override;
+  void useCalibration(const RigCalibration& calibration) override;
+  [[nodiscard]] std::optional<std::uint64_t> virtualRigSeed() const override;
   void useStripeSettings(const StripeSettings& settings) override;
+  /// The rail that the rig renders becomes the recipe's section, unless it was another one before (a wrong rail).
+  [[nodiscard]] Expected<void> useRecipe(const Recipe& recipe) override;
   [[nodiscard]] RailAnnouncements* announcements() override;
 
  private:

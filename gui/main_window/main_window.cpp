@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "gui/alarms/alarms_page.h"
+#include "gui/calibration/calibration_page.h"
 #include "gui/charts/charts_page.h"
 #include "gui/diagnostics/diagnostics_page.h"
 #include "gui/main_window/alarm_line.h"
@@ -90,6 +91,7 @@ void MainWindow::addPages() {
   auto* rails = new RailsPage(place_, stack_);
   connect(rails, &RailsPage::liveAsked, this, [this] { showPage(PageId::Monitor); });
   add(PageId::Rails, rails);
+  add(PageId::Calibration, new CalibrationPage(place_, stack_));
   add(PageId::Recipes, new RecipesPage(place_, stack_));
   add(PageId::Quality, new QualityPage(place_, stack_));
   add(PageId::Alarms, new AlarmsPage(place_, *alarms_, stack_));

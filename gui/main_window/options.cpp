@@ -88,11 +88,15 @@ OptionsOutcome readOptions(int argc, const char* const* argv, const std::string&
   app.add_option("--fault", raw.faults, "KIND[=VALUE][@CAMERA][:FROM-TO]; may be repeated");
   app.add_option("--deviation", raw.deviations, "DIM=MM from nominal; may be repeated");
   app.add_option("--screenshot", options.screenshot, "render the page offscreen into this PNG and leave");
+  app.add_option("--screens", options.screens,
+                 "render every page offscreen, both themes, 1366x768 and 1920x1080, into this folder and leave");
   app.add_option("--size", raw.size, "of the window, WIDTHxHEIGHT (default 1920x1080)");
-  app.add_option("--after", options.afterS, "seconds before the screenshot (default 5)")
+  app.add_option("--after", options.afterS, "seconds before the (first) screenshot (default 5)")
       ->check(CLI::Range(0.0, 86400.0));
   app.add_flag("--tour", options.tour, "show the tour, even with --screenshot");
   app.add_option("--choose", options.chosenDimension, "dimension whose row is chosen at the start");
+  app.add_option("--switch-pages", options.switchPagesS, "show the next page every SECONDS: with --self-test")
+      ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--self-test", options.selfTestS, "run SECONDS, print one JSON document and leave")
       ->check(CLI::Range(0.1, 86400.0));
   try {

@@ -16,13 +16,18 @@ struct Options {
   bool dark = false;
   std::string language;    ///< "de"; empty: as chosen before, else the machine's
   std::string screenshot;  ///< file; empty: none
+  std::string screens;     ///< folder for pictures of every page; empty: none
   QSize size{1920, 1080};
   double afterS = 5;
   std::optional<double> selfTestS;
-  std::string chosenDimension;  ///< shown as if its row had been chosen; empty: none
-  bool tour = false;            ///< shown with a picture too
-  std::string archive;          ///< URL; empty: the usual one where a person sits, else none
+  std::optional<double> switchPagesS;  ///< the next page every so often
+  std::string chosenDimension;         ///< shown as if its row had been chosen; empty: none
+  bool tour = false;                   ///< shown with a picture too
+  std::string archive;                 ///< URL; empty: the usual one where a person sits, else none
   VirtualLineSettings line;
+
+  [[nodiscard]] bool pictures() const { return !screenshot.empty() || !screens.empty(); }
+  [[nodiscard]] bool unattended() const { return pictures() || selfTestS; }
 };
 
 /// What is left to do after reading the command line: run, or print `text` and leave with `exitCode`.

@@ -9,16 +9,23 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QTableWidget>
 
+#include "engine/archive/audit_trail.h"
+#include "engine/archive/rail_archive.h"
 #include "engine/archive/user_register.h"
 #include "engine/files/atomic_file.h"
 #include "engine/rail/catalogue.h"
 #include "engine/recipe/recipe_difference.h"
 #include "gui/bridge/archive_reader.h"
+#include "gui/rails/what_if_dialog.h"
+#include "gui/recipes/recipe_setting.h"
+#include "gui/recipes/section_dialog.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
 #include "report/dimension_text.h"
+#include "report/engine_words.h"
 
 namespace vignole {
 
@@ -39,6 +46,8 @@ QString wordOf(RecipeState state) {
   }
   return {};
 }
+
+constexpr std::size_t kMostTried = 500;
 
 /// EN 13674-1: profile classes X and Y, straightness A and B.
 constexpr std::array<const char*, 4> kClasses = {"X/A", "X/B", "Y/A", "Y/B"};
@@ -68,7 +77,10 @@ RecipesPage::RecipesPage(Workplace& place, QWidget* parent)
   retranslate();
 }
 
-RecipesPage::~RecipesPage() { reader_.reset(); }
+RecipesPage::~RecipesPage() {
+  delete whatIf_;  // it asks the reader
+  reader_.reset();
+}
 
 QWidget* RecipesPage::makeList() {
   list_ = new Panel(this);
@@ -93,10 +105,23 @@ QWidget* RecipesPage::makeList() {
   auto* files = new QHBoxLayout;
   files->addWidget(import_, 1);
   files->addWidget(export_, 1);
+  sectionButton_ = makeButton(place_.theme, QStringLiteral("rails"), list_);
+  tryButton_ = makeButton(place_.theme, QStringLiteral("compare"), list_);
+  onLine_ = makeLabel(15, 400, "t2", list_, true);
+  auto* looks = new QHBoxLayout;
+  looks->addWidget(sectionButton_, 1);
+  looks->addWidget(tryButton_, 1);
   list_->content()->addWidget(table_, 1);
   list_->content()->addWidget(empty_);
   list_->content()->addLayout(made);
   list_->content()->addLayout(files);
+  list_->content()->addLayout(looks);
+  list_->content()->addWidget(onLine_);
+  connect(sectionButton_, &QPushButton::clicked, this, [this] {
+    if (chosen_ >= 0) sectionDialog().showSection(entries_[static_cast<std::size_t>(chosen_)].recipe.section);
+    sectionDialog().show();
+  });
+  connect(tryButton_, &QPushButton::clicked, this, &RecipesPage::tryOnStoredRails);
   connect(new_, &QPushButton::clicked, this, &RecipesPage::newFromClass);
   connect(import_, &QPushButton::clicked, this, &RecipesPage::importFile);
   connect(export_, &QPushButton::clicked, this, &RecipesPage::exportFile);
@@ -108,14 +133,42 @@ QWidget* RecipesPage::makeEdit() {
   editWords_ = makeLabel(15, 400, "t2", edit_, true);
   limits_ = new QTableWidget(static_cast<int>(kDimensionCount), 4, edit_);
   styleTable(*limits_);
+  limits_->verticalHeader()->setMinimumSectionSize(20);
   limits_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  limits_->setMinimumHeight(20 * static_cast<int>(kDimensionCount) + 36);
   limits_->setSelectionBehavior(QAbstractItemView::SelectItems);
+  settings_ = new QTableWidget(0, 2, edit_);
+  styleTable(*settings_);
+  settings_->verticalHeader()->setDefaultSectionSize(30);
+  settings_->setSelectionBehavior(QAbstractItemView::SelectItems);
+  editors_ = new QStackedWidget(edit_);
+  editors_->addWidget(limits_);
+  editors_->addWidget(settings_);
+  limitsButton_ = new QPushButton(edit_);
+  settingsButton_ = new QPushButton(edit_);
+  auto* which = new QHBoxLayout;
+  which->setSpacing(0);
+  for (QPushButton* button : {limitsButton_, settingsButton_}) {
+    button->setObjectName(QStringLiteral("segment"));
+    button->setFont(uiFont(16, 500));
+    button->setCheckable(true);
+    which->addWidget(button, 1);
+  }
+  connect(limitsButton_, &QPushButton::clicked, this, [this] { chooseEditor(false); });
+  connect(settingsButton_, &QPushButton::clicked, this, [this] { chooseEditor(true); });
+  chooseEditor(false);
+  name_ = new QLineEdit(edit_);
   note_ = new QLineEdit(edit_);
-  note_->setFont(uiFont(16));
+  for (QLineEdit* field : {name_, note_}) field->setFont(uiFont(16));
+  auto* said = new QHBoxLayout;
+  said->setSpacing(8);
+  said->addWidget(name_, 2);
+  said->addWidget(note_, 3);
   save_ = makeButton(place_.theme, QStringLiteral("save"), edit_, true);
   edit_->content()->addWidget(editWords_);
-  edit_->content()->addWidget(limits_, 1);
-  edit_->content()->addWidget(note_);
+  edit_->content()->addLayout(which);
+  edit_->content()->addWidget(editors_, 1);
+  edit_->content()->addLayout(said);
   edit_->content()->addWidget(save_);
   connect(save_, &QPushButton::clicked, this, &RecipesPage::saveDraft);
   return edit_;
@@ -134,6 +187,8 @@ QWidget* RecipesPage::makeDecision() {
   styleTable(*differences_);
   differences_->setSelectionMode(QAbstractItemView::NoSelection);
   differences_->verticalHeader()->setDefaultSectionSize(32);
+  differences_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  differences_->setMinimumHeight(96);
   same_ = makeLabel(16, 400, "t2", difference_, true);
   difference_->content()->addWidget(against_);
   difference_->content()->addWidget(same_);
@@ -146,12 +201,14 @@ QWidget* RecipesPage::makeDecision() {
   password_->setEchoMode(QLineEdit::Password);
   for (QLineEdit* field : {reason_, password_}) field->setFont(uiFont(16));
   approve_ = makeButton(place_.theme, QStringLiteral("approve"), decision_, true);
+  use_ = makeButton(place_.theme, QStringLiteral("next"), decision_);
   result_ = makeLabel(15, 500, "t1", decision_, true);
-  for (QWidget* w : std::initializer_list<QWidget*>{decisionWords_, reason_, password_, approve_, result_})
+  for (QWidget* w : std::initializer_list<QWidget*>{decisionWords_, reason_, password_, approve_, use_, result_})
     decision_->content()->addWidget(w);
   connect(approve_, &QPushButton::clicked, this, &RecipesPage::approve);
-  column->addWidget(difference_, 3);
-  column->addWidget(decision_, 2);
+  connect(use_, &QPushButton::clicked, this, &RecipesPage::useForNextRail);
+  column->addWidget(difference_, 1);
+  column->addWidget(decision_);
   decision_->content()->addStretch(1);
   return side;
 }
@@ -168,6 +225,20 @@ void RecipesPage::retranslate() {
   import_->setAccessibleName(tr("Import a recipe file as a draft"));
   export_->setText(tr("Export…"));
   export_->setAccessibleName(tr("Export the chosen recipe"));
+  sectionButton_->setText(tr("Section…"));
+  sectionButton_->setAccessibleName(tr("Draw the section, or bring one along from a drawing"));
+  tryButton_->setText(tr("What if…"));
+  tryButton_->setAccessibleName(tr("Judge stored rails by the chosen recipe"));
+  use_->setText(tr("Use for the next rail"));
+  use_->setAccessibleName(tr("Use the chosen recipe for the next rail"));
+  limitsButton_->setText(tr("Tolerances"));
+  limitsButton_->setAccessibleName(tr("Tolerances"));
+  settingsButton_->setText(tr("Settings"));
+  settingsButton_->setAccessibleName(tr("Parameters of dimensions and settings of the stages"));
+  settings_->setHorizontalHeaderLabels({tr("Setting"), tr("Value")});
+  settings_->setAccessibleName(tr("Settings of the chosen recipe"));
+  name_->setPlaceholderText(tr("Name"));
+  name_->setAccessibleName(tr("Name of the draft; another name makes a copy"));
   limits_->setHorizontalHeaderLabels({tr("Dimension"), tr("Nominal, mm"), tr("Lower, mm"), tr("Upper, mm")});
   limits_->setAccessibleName(tr("Tolerances of the chosen recipe"));
   note_->setPlaceholderText(tr("What is new in it"));
@@ -198,12 +269,36 @@ void RecipesPage::showEvent(QShowEvent* event) {
   load();
 }
 
-void RecipesPage::showLine(const LineSnapshot& /*line*/, PullDetail /*detail*/) {}
+void RecipesPage::showLine(const LineSnapshot& line, PullDetail detail) {
+  if (detail != PullDetail::Everything) return;
+  QString words = tr("On the line: %1 v%2.").arg(shown(line.recipe->name)).arg(line.recipe->version);
+  if (!line.nextRecipe.empty()) words += ' ' + tr("From the next rail: %1.").arg(shown(line.nextRecipe));
+  if (words != onLine_->text()) onLine_->setText(words);
+}
+
+void RecipesPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // The layout has its say first.
+  QMetaObject::invokeMethod(this, &RecipesPage::shareColumns, Qt::QueuedConnection);
+}
+
+void RecipesPage::shareColumns() {
+  const auto share = [](QTableWidget* table, std::initializer_list<int> percent) {
+    int column = 0;
+    for (const int p : percent) table->setColumnWidth(column++, table->viewport()->width() * p / 100);
+  };
+  share(table_, {46, 18});
+  share(limits_, {25, 25, 25});
+  share(settings_, {70});
+  share(differences_, {34, 33});
+}
+
+QString RecipesPage::words() const { return result_->text(); }
 
 void RecipesPage::load() {
   reader_->ask("load", [this](const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
     std::vector<Entry> entries;
-    std::string words;
+    std::string words, noArchive;
     if (archive != nullptr) {
       const RecipeHistory history(*archive);
       const auto names = history.names();
@@ -220,7 +315,7 @@ void RecipesPage::load() {
         }
       }
     } else {
-      words = "there is no archive (" + problem + "): recipes are read, drafts cannot be kept";
+      noArchive = problem;
     }
     for (const std::string& name : recipeNames())
       if (auto recipe = findRecipe(name)) {
@@ -231,10 +326,11 @@ void RecipesPage::load() {
         version.note = recipe->note;
         entries.push_back({version, std::move(*recipe)});
       }
-    return [this, entries = std::move(entries), words] {
+    return [this, entries = std::move(entries), words, noArchive] {
       entries_ = entries;
-      empty_->setText(shown(words));
-      empty_->setVisible(!words.empty());
+      empty_->setText(noArchive.empty() ? inWords(words)
+                                        : tr("Recipes are read, drafts cannot be kept: %1.").arg(inWords(noArchive)));
+      empty_->setVisible(!empty_->text().isEmpty());
       chosen_ = entries_.empty() ? -1 : 0;
       for (int i = 0; i < static_cast<int>(entries_.size()); ++i)
         if (wanted_ != 0 && entries_[static_cast<std::size_t>(i)].version.key == wanted_) chosen_ = i;
@@ -255,8 +351,6 @@ void RecipesPage::showEntries() {
     table_->setItem(i, 2, new QTableWidgetItem(wordOf(v.state)));
     against_->addItem(tr("against %1 v%2, %3").arg(shown(v.name)).arg(v.version).arg(wordOf(v.state)));
   }
-  table_->setColumnWidth(0, table_->viewport()->width() * 44 / 100);
-  table_->setColumnWidth(1, table_->viewport()->width() * 20 / 100);
   if (chosen_ >= 0) table_->selectRow(chosen_);
   compareWithOlder();
   showChosen();
@@ -306,9 +400,33 @@ void RecipesPage::showChosen() {
       limits_->setItem(i, column, item);
     }
   }
-  for (int column = 0; column < 3; ++column) limits_->setColumnWidth(column, limits_->viewport()->width() / 4);
+  name_->setText(shown(entry.recipe.name));
+  showSettings();
   showDifference();
   showPermission();
+  shareColumns();
+}
+
+void RecipesPage::chooseEditor(bool settings) {
+  editors_->setCurrentIndex(settings ? 1 : 0);
+  limitsButton_->setChecked(!settings);
+  settingsButton_->setChecked(settings);
+}
+
+void RecipesPage::showSettings() {
+  const auto all = settingsOf(entries_[static_cast<std::size_t>(chosen_)].recipe);
+  settings_->setRowCount(static_cast<int>(all.size()));
+  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+    const RecipeSetting& setting = all[static_cast<std::size_t>(i)];
+    auto* words = new QTableWidgetItem(settingWords(setting.key));
+    words->setFlags(Qt::ItemIsEnabled);
+    words->setData(Qt::UserRole, shown(setting.key));
+    words->setToolTip(words->text());
+    auto* value = new QTableWidgetItem(setting.text);
+    value->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    settings_->setItem(i, 0, words);
+    settings_->setItem(i, 1, value);
+  }
 }
 
 void RecipesPage::showDifference() {
@@ -323,15 +441,13 @@ void RecipesPage::showDifference() {
   differences_->setRowCount(static_cast<int>(all.size()));
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const RecipeDifference& d = all[static_cast<std::size_t>(i)];
-    const std::string* cells[] = {&d.key, &d.before, &d.after};
+    const QString cells[] = {settingWords(d.key), settingValue(d.before), settingValue(d.after)};
     for (int column = 0; column < 3; ++column) {
-      auto* item = new QTableWidgetItem(cells[column]->empty() ? QStringLiteral("–") : shown(*cells[column]));
+      auto* item = new QTableWidgetItem(cells[column].isEmpty() ? QStringLiteral("–") : cells[column]);
       item->setToolTip(item->text());
       differences_->setItem(i, column, item);
     }
   }
-  differences_->setColumnWidth(0, differences_->viewport()->width() * 34 / 100);
-  differences_->setColumnWidth(1, differences_->viewport()->width() * 33 / 100);
 }
 
 void RecipesPage::showPermission() {
@@ -341,6 +457,14 @@ void RecipesPage::showPermission() {
                                  : QAbstractItemView::NoEditTriggers);
   for (QWidget* w : std::initializer_list<QWidget*>{note_, save_, new_, import_, section_, class_})
     w->setEnabled(edits);
+  settings_->setEditTriggers(limits_->editTriggers());
+  name_->setEnabled(edits);
+  tryButton_->setEnabled(chosen_ >= 0 && place_.archive != nullptr);
+  // Operators too: what is approved may be chosen by whoever measures.
+  const bool approved =
+      chosen_ >= 0 && entries_[static_cast<std::size_t>(chosen_)].version.state == RecipeState::Approved;
+  use_->setEnabled(approved && place_.session.may(Permission::Measure));
+  use_->setToolTip(approved ? QString() : tr("Only an approved recipe is measured with."));
   const bool draft = chosen_ >= 0 && entries_[static_cast<std::size_t>(chosen_)].version.state == RecipeState::Draft;
   const bool own =
       draft && shown(entries_[static_cast<std::size_t>(chosen_)].version.createdBy) == place_.session.user();
@@ -389,9 +513,9 @@ void RecipesPage::saveDraft() {
     limits.lowerMm = limitFrom(limits_->item(i, 2)->text(), fine);
     limits.upperMm = limitFrom(limits_->item(i, 3)->text(), fine);
     if (!fine || (limits.lowerMm && limits.upperMm && *limits.lowerMm > *limits.upperMm)) {
-      result_->setText(fine ? tr("%1: the lower limit lies above the upper one; exchange them.").arg(spoken(d))
-                            : tr("%1: a limit is a number in mm, or empty for none.").arg(spoken(d)));
-      emit answered();
+      refuseAt(limits_, i,
+               fine ? tr("%1: the lower limit lies above the upper one; exchange them.").arg(spoken(d))
+                    : tr("%1: a limit is a number in mm, or empty for none.").arg(spoken(d)));
       return;
     }
   }
@@ -401,8 +525,20 @@ void RecipesPage::saveDraft() {
     emit answered();
     return;
   }
+  for (int i = 0; i < settings_->rowCount(); ++i) {
+    const std::string key = settings_->item(i, 0)->data(Qt::UserRole).toString().toStdString();
+    if (setSetting(recipe, key, settings_->item(i, 1)->text())) continue;
+    refuseAt(settings_, i, tr("%1: the value is not of its kind.").arg(settings_->item(i, 0)->text()));
+    return;
+  }
+  if (const QString name = name_->text().trimmed(); !name.isEmpty()) recipe.name = name.toStdString();
   // The file's own checks decide: what could not be read back is not kept.
   if (const auto read = parseRecipe(toToml(recipe), recipe.name); !read) {
+    for (int i = 0; i < settings_->rowCount(); ++i)
+      if (read.error().where.ends_with(settings_->item(i, 0)->data(Qt::UserRole).toString().toStdString())) {
+        refuseAt(settings_, i, settings_->item(i, 0)->text() + ' ' + shown(read.error().what));
+        return;
+      }
     result_->setText(shown(read.error().message()));
     emit answered();
     return;
@@ -448,6 +584,78 @@ void RecipesPage::approve() {
                    emit answered();
                  };
                });
+}
+
+void RecipesPage::refuseAt(QTableWidget* table, int row, const QString& words) {
+  chooseEditor(table == settings_);
+  table->setCurrentCell(row, table->columnCount() - 1);
+  table->scrollToItem(table->item(row, 0));
+  editWords_->setText(words);
+  result_->setText(words);
+  emit answered();
+}
+
+void RecipesPage::useForNextRail() {
+  if (chosen_ < 0) return;
+  const Entry& entry = entries_[static_cast<std::size_t>(chosen_)];
+  const auto taken = place_.line.useRecipe(entry.recipe);
+  result_->setText(taken ? tr("%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.")
+                               .arg(shown(entry.version.name))
+                               .arg(entry.version.version)
+                         : shown(taken.error().message()));
+  if (!taken || place_.archive == nullptr) {
+    emit answered();
+    return;
+  }
+  const QString user = place_.session.user().isEmpty() ? QStringLiteral("operator") : place_.session.user();
+  reader_->ask(
+      "chosen",
+      [this, user = user.toStdString(), subject = entry.version.name + " v" + std::to_string(entry.version.version)](
+          const Archive* archive, const std::string&) -> ArchiveReader::Answer {
+        if (archive != nullptr) (void)AuditTrail(*archive).add(user, "recipe chosen", subject, "for the next rail");
+        return [this] { emit answered(); };
+      });
+}
+
+void RecipesPage::tryOnStoredRails() {
+  if (chosen_ < 0) return;
+  reader_->ask("stored",
+               [this, recipe = entries_[static_cast<std::size_t>(chosen_)].recipe](
+                   const Archive* archive, const std::string& problem) -> ArchiveReader::Answer {
+                 Expected<std::vector<RailLine>> rails = worldError("archive", problem);
+                 RailQuery query;
+                 query.section = recipe.section.name;
+                 query.state = RailState::Finished;
+                 query.limit = kMostTried;
+                 if (archive != nullptr) rails = RailArchive(*archive).search(query);
+                 return [this, rails = std::move(rails), recipe] {
+                   if (!rails) {
+                     result_->setText(shown(rails.error().message()));
+                   } else if (rails->size() < WhatIfDialog::kFewRails) {
+                     result_->setText(
+                         tr("What if needs at least %1 stored rails of section %2, there are %3: measure more first.")
+                             .arg(WhatIfDialog::kFewRails)
+                             .arg(shown(recipe.section.name))
+                             .arg(rails->size()));
+                   } else {
+                     if (whatIf_ == nullptr) whatIf_ = new WhatIfDialog(place_, *reader_, this);
+                     whatIf_->setRails(recipe, *rails);
+                     whatIf_->show();
+                     whatIf_->start();
+                   }
+                   emit answered();
+                 };
+               });
+}
+
+SectionDialog& RecipesPage::sectionDialog() {
+  if (sectionDialog_ == nullptr) {
+    sectionDialog_ = new SectionDialog(place_, this);
+    connect(sectionDialog_, &SectionDialog::made, this, [this](const Recipe& recipe, const QString& from) {
+      addDraft(recipe, "section imported from " + from.toStdString());
+    });
+  }
+  return *sectionDialog_;
 }
 
 void RecipesPage::importFile() {

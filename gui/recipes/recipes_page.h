@@ -14,12 +14,15 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QStackedWidget;
 class QTableWidget;
 
 namespace vignole {
 
 class ArchiveReader;
 class Panel;
+class SectionDialog;
+class WhatIfDialog;
 
 class RecipesPage : public Page {
   Q_OBJECT
@@ -37,15 +40,19 @@ class RecipesPage : public Page {
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   void choose(int entry);
   [[nodiscard]] int chosen() const { return chosen_; }
+  [[nodiscard]] SectionDialog& sectionDialog();
+  [[nodiscard]] const WhatIfDialog* whatIfDialog() const { return whatIf_; }  ///< null: not asked yet
+  [[nodiscard]] QString words() const;                                        ///< what came of the last command
   void load();
 
  signals:
   void entriesChanged();
-  void answered();  ///< to a draft, an approval, an import
+  void answered();  ///< to a draft, an approval, an import, a choice
 
  protected:
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeList();
@@ -57,7 +64,13 @@ class RecipesPage : public Page {
   void showChosen();
   void showDifference();
   void showPermission();
+  void showSettings();
+  void shareColumns();
+  void chooseEditor(bool settings);
   void saveDraft();
+  void refuseAt(QTableWidget* table, int row, const QString& words);
+  void useForNextRail();
+  void tryOnStoredRails();
   void newFromClass();
   void approve();
   void importFile();
@@ -70,11 +83,15 @@ class RecipesPage : public Page {
   int chosen_ = -1;
   std::int64_t wanted_ = 0;  ///< key of the entry to be chosen when they come
   Panel *list_, *edit_, *difference_, *decision_;
-  QTableWidget *table_, *limits_, *differences_;
+  QTableWidget *table_, *limits_, *settings_, *differences_;
+  QStackedWidget* editors_;
   QComboBox *section_, *class_, *against_;
-  QLineEdit *note_, *reason_, *password_;
-  QPushButton *new_, *import_, *export_, *save_, *approve_;
-  QLabel *empty_, *editWords_, *same_, *decisionWords_, *result_;
+  QLineEdit *name_, *note_, *reason_, *password_;
+  QPushButton *new_, *import_, *export_, *sectionButton_, *tryButton_, *save_, *approve_, *use_;
+  QPushButton *limitsButton_, *settingsButton_;
+  QLabel *empty_, *onLine_, *editWords_, *same_, *decisionWords_, *result_;
+  SectionDialog* sectionDialog_ = nullptr;
+  WhatIfDialog* whatIf_ = nullptr;
 };
 
 }  // namespace vignole

@@ -177,10 +177,12 @@ void TrialPanel::makeButtons() {
   buttons->addWidget(freeze_, 0, 0);
   buttons->addWidget(profile_, 0, 1);
   buttons->addWidget(discard_, 0, 2);
-  buttons->addWidget(apply_, 0, 3);
-  buttons->setColumnStretch(3, 1);
   content()->addLayout(buttons);
-  content()->addWidget(reason_);
+  auto* decision = new QHBoxLayout;
+  decision->setSpacing(6);
+  decision->addWidget(reason_, 1);
+  decision->addWidget(apply_);
+  content()->addLayout(decision);
   content()->addWidget(message_);
   connect(freeze_, &QPushButton::clicked, this, &TrialPanel::freezeAsked);
   connect(profile_, &QPushButton::clicked, this, &TrialPanel::profileAsked);

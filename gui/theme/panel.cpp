@@ -73,7 +73,9 @@ QPushButton* makeButton(const Theme& theme, const QString& icon, QWidget* parent
   if (icon.isEmpty()) return button;
   const auto tint = [&theme, icon, button, first] {
     const Palette& p = theme.palette();
-    button->setIcon(theme.icon(icon, 20, first ? p.panel2 : p.t1, button->devicePixelRatioF()));
+    QIcon made(theme.icon(icon, 20, first ? p.panel2 : p.t1, button->devicePixelRatioF()));
+    made.addPixmap(theme.icon(icon, 20, p.t3, button->devicePixelRatioF()), QIcon::Disabled);
+    button->setIcon(made);
   };
   tint();
   QObject::connect(&theme, &Theme::changed, button, tint);

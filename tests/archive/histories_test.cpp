@@ -24,9 +24,10 @@ TEST_F(HistoriesTest, ARecipeIsDraftedApprovedAndReplaced) {
   ASSERT_TRUE(first) << first.error().message();
   EXPECT_EQ(first->state, RecipeState::Draft);
   EXPECT_FALSE(*recipes.approved(recipe.name));
-  EXPECT_FALSE(recipes.approve(first->key, "Quinn", ""));
-  ASSERT_TRUE(recipes.approve(first->key, "Quinn", "checked against the standard"));
-  EXPECT_FALSE(recipes.approve(first->key, "Quinn", "again"));
+  EXPECT_FALSE(recipes.approve(first->key, "Rosa", ""));
+  EXPECT_FALSE(recipes.approve(first->key, "Quinn", "my own"));
+  ASSERT_TRUE(recipes.approve(first->key, "Rosa", "checked against the standard"));
+  EXPECT_FALSE(recipes.approve(first->key, "Rosa", "again"));
   EXPECT_EQ((*recipes.approved(recipe.name))->version, 1);
 
   EXPECT_FALSE(recipes.addDraft(recipe, "Quinn", "the same"));
@@ -35,7 +36,7 @@ TEST_F(HistoriesTest, ARecipeIsDraftedApprovedAndReplaced) {
   const auto second = recipes.addDraft(recipe, "Quinn", "narrower head");
   ASSERT_TRUE(second) << second.error().message();
   EXPECT_EQ((*recipes.approved(recipe.name))->version, 1);
-  ASSERT_TRUE(recipes.approve(second->key, "Quinn", "customer asks"));
+  ASSERT_TRUE(recipes.approve(second->key, "Rosa", "customer asks"));
   const auto versions = recipes.versions(recipe.name);
   ASSERT_EQ(versions->size(), 2U);
   EXPECT_EQ(versions->at(0).state, RecipeState::Approved);

@@ -24,6 +24,7 @@
 #include "gui/monitor/verdict_panel.h"
 #include "report/dimension_text.h"
 #include "report/engine_words.h"
+#include "tests/gui/least_size.h"
 #include "tests/gui/made_line.h"
 
 namespace vignole {
@@ -143,7 +144,7 @@ void expectRoom(const QWidget& root, const std::string& where) {
       continue;
     const std::string who = where + ": " + w->metaObject()->className() + " \"" + w->accessibleName().toStdString() +
                             "\" of " + w->parentWidget()->metaObject()->className();
-    const QSize least = w->minimumSizeHint();
+    const QSize least = leastSize(*w);
     EXPECT_GE(w->width(), least.width()) << who;
     EXPECT_GE(w->height(), least.height()) << who;
     EXPECT_TRUE(w->parentWidget()->rect().contains(w->geometry())) << who;

@@ -38,10 +38,15 @@ class FakeLine : public Line {
   std::shared_ptr<LatestFrames> pictures;  ///< null: hands out none
   RigCalibration rig;
   std::optional<StripeSettings> used;  ///< what was last asked for the next rail
+  std::optional<Recipe> asked;         ///< for the next rail
 
   void start() override { ++starts, isRunning = true; }
   void stop() override { ++stops, isRunning = false; }
   [[nodiscard]] bool running() const override { return isRunning; }
+  [[nodiscard]] Expected<void> useRecipe(const Recipe& recipe) override {
+    asked = recipe;
+    return {};
+  }
   [[nodiscard]] const LineSnapshot& pull(PullDetail /*detail*/) override { return snapshot; }
   [[nodiscard]] std::shared_ptr<LatestFrames> frames() override { return pictures; }
   [[nodiscard]] RigCalibration calibration() override { return rig; }

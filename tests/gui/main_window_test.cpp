@@ -17,6 +17,7 @@
 #include "gui/monitor/profile_canvas.h"
 #include "gui/monitor/verdict_panel.h"
 #include "gui/plots/strip_chart.h"
+#include "tests/gui/least_size.h"
 #include "tests/gui/made_line.h"
 
 namespace vignole {
@@ -266,7 +267,7 @@ void expectUnclipped(const QWidget& root) {
     if (!w->isVisible() || w->parentWidget() == nullptr || w->inherits("QCustomPlot") ||
         w->parentWidget()->inherits("QAbstractScrollArea"))
       continue;
-    const QSize least = w->minimumSizeHint();
+    const QSize least = leastSize(*w);
     const std::string who =
         std::string(w->metaObject()->className()) + " \"" + w->accessibleName().toStdString() + "\"";
     EXPECT_GE(w->width(), least.width()) << who;

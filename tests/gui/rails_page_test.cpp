@@ -275,7 +275,10 @@ TEST(RailRecorder, WhatTheLineMeasuresIsInTheArchive) {
   (*line)->record(writer->get());
   ASSERT_NE((*line)->announcements(), nullptr);
   (*line)->announcements()->announce({"0412-3-07", "263417", "3", "A-77", {}});
+  const auto frames = (*line)->frames();
+  const FramesWatcher watcher(frames);
   (*line)->start();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return frames->latest(0) != nullptr; }, 30000)) << "pictures are seen all the same";
   ASSERT_TRUE(QTest::qWaitFor([&] { return (*line)->pull(PullDetail::Everything).railsPassed >= 2; }, 30000));
   (*line)->stop();
   line->reset();

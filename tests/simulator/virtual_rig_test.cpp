@@ -69,6 +69,21 @@ TEST(VirtualRig, SeedsDrawRigAndRailApart) {
   EXPECT_NE(toToml(make(s)->calibration()), toToml(a->calibration()));
 }
 
+TEST(VirtualRig, AnotherPassIsTheSameRailUnderTheSameRig) {
+  VirtualRigSettings s = settings60E1();
+  s.passSeed = 1001;
+  const auto a = make(s);
+  s.passSeed = 1002;
+  const auto b = make(s);
+  EXPECT_EQ(toToml(a->calibration()), toToml(b->calibration()));
+  for (const std::uint64_t trigger : {0U, 100U}) {
+    for (const Dimension d : kDimensions)
+      EXPECT_NEAR(a->truth(trigger).valueMm[index(d)], b->truth(trigger).valueMm[index(d)], 1e-6) << name(d);
+    EXPECT_NE(a->truth(trigger).worldFromSection.xMm, b->truth(trigger).worldFromSection.xMm) << "it wanders otherwise";
+  }
+  EXPECT_FALSE(render(*a, 0, 0) == render(*b, 0, 0));
+}
+
 TEST(VirtualRig, StandsNearRigC) {
   // Camera 2 of rig C by the design: (257, 295, 257); camera 3: (271, -118, 257).
   const auto rig = make(quiet());
