@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/archive_output.h"
+#include "cli/archive_retention.h"
+#include "cli/archived_rail.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "engine/archive/generated_rails.h"
@@ -92,21 +94,6 @@ int list(const Options& o) {
   if (o.json != "-")
     if (const auto written = writeResult("-", toTable(*rails)); !written) return fail(written.error());
   return kDone;
-}
-
-/// By its id (the newest of that name), or by its key in the archive.
-Expected<std::int64_t> findRail(const RailArchive& rails, const std::string& idOrKey) {
-  RailQuery query;
-  query.railId = idOrKey;
-  query.limit = 1000;
-  const auto found = rails.search(query);
-  if (!found) return tl::unexpected(found.error());
-  for (const RailLine& line : *found)
-    if (line.id == idOrKey) return line.key;
-  std::int64_t key = 0;
-  const char *begin = idOrKey.data(), *end = begin + idOrKey.size();
-  if (const auto [stop, error] = std::from_chars(begin, end, key); error == std::errc() && stop == end) return key;
-  return inputError(idOrKey, "no rail of that name is in the archive; look with vignole-cli archive list");
 }
 
 int show(const Options& o) {
@@ -193,7 +180,7 @@ int generate(const Options& o) {
 CLI::App* add(CLI::App& archive, const std::shared_ptr<Options>& o, int& exitCode, const std::string& name,
               const std::string& what, int (*work)(const Options&)) {
   CLI::App* command = archive.add_subcommand(name, what);
-  command->add_option("URL", o->url, "FILE or sqlite:FILE")->required();
+  command->add_option("URL", o->url, kArchiveUrlHelp)->required();
   command->callback([o, &exitCode, work] { exitCode = work(*o); });
   return command;
 }
@@ -263,6 +250,7 @@ void addArchive(CLI::App& app, int& exitCode) {
   backup->footer("Example: vignole-cli archive backup rails.db /media/stick/rails.db");
 
   addGenerate(*archive, o, exitCode);
+  addRetention(*archive, exitCode);
 }
 
 }  // namespace vignole::cli

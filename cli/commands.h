@@ -18,6 +18,7 @@ void addStudy(CLI::App& app, int& exitCode);
 void addArchive(CLI::App& app, int& exitCode);
 void addRecording(CLI::App& app, int& exitCode);
 void addSite(CLI::App& app, int& exitCode);
+void addEvidence(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 
 }  // namespace vignole::cli

@@ -559,7 +559,7 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--effect", o->effects, "NAME=on|off|VALUE of the virtual rig (repeatable)");
   command->add_option("--deviation", o->deviations, "DIM=MM: constant deviation of a dimension (repeatable)");
   command->add_option("--fault", o->faults, "KIND[=VALUE][@CAMERA][:FROM-TO] (repeatable)");
-  command->add_option("--archive", o->archive, "file (or sqlite:FILE) of the archive to store the rails in");
+  command->add_option("--archive", o->archive, "archive to store the rails in: FILE, sqlite:FILE or postgresql://...");
   addRecordOptions(*command, o->record, o->recordOptions);
   command->add_option("--report", o->reports, "FILE.pdf or FILE.png (repeatable)");
   command->add_option("--csv", o->csv, "file: one row a profile");

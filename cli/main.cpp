@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   vignole::cli::addArchive(app, exitCode);
   vignole::cli::addRecording(app, exitCode);
   vignole::cli::addSite(app, exitCode);
+  vignole::cli::addEvidence(app, exitCode);
   vignole::cli::addBench(app, exitCode);
   try {
     app.parse(argc, argv);

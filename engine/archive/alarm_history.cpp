@@ -1,7 +1,7 @@
 #include "engine/archive/alarm_history.h"
 
-#include "engine/archive/database.h"
-#include "engine/archive/digest.h"
+#include "engine/database/database.h"
+#include "engine/database/digest.h"
 
 namespace vignole {
 
@@ -34,8 +34,8 @@ Expected<std::vector<AlarmRecord>> AlarmHistory::alarms(const AlarmQuery& query)
             "acknowledged_us, acknowledged_by, shelved_until_us, shelved_by, shelving_reason from alarm "
             "where raised_us >= :a and raised_us < :b") +
             (query.activeOnly ? " and cleared_us is null" : "") + " order by raised_us desc, id desc limit :c",
-        {query.fromUs.value_or(INT64_MIN), query.toUs.value_or(INT64_MAX), static_cast<std::int64_t>(query.limit)},
-        "tttitttttiiititt", [&](const Row& row) {
+        {query.fromUs.value_or(INT64_MIN), query.toUs.value_or(INT64_MAX), atMost(query.limit)}, "tttitttttiiititt",
+        [&](const Row& row) {
           AlarmRecord a;
           a.uid = row.text(0);
           a.rule = row.text(1);
@@ -91,8 +91,7 @@ Expected<std::vector<EventRecord>> AlarmHistory::events(std::optional<TimeUs> fr
     database_->query(
         "select time_us, source, content, by_user from event where time_us >= :a and time_us < :b "
         "order by time_us desc, id desc limit :c",
-        {fromUs.value_or(INT64_MIN), toUs.value_or(INT64_MAX), static_cast<std::int64_t>(limit)}, "ittt",
-        [&](const Row& row) {
+        {fromUs.value_or(INT64_MIN), toUs.value_or(INT64_MAX), atMost(limit)}, "ittt", [&](const Row& row) {
           events.push_back({row.integer(0), row.text(1), row.text(2), row.text(3)});
         });
     return events;

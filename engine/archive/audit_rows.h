@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/archive/database.h"
+#include "engine/database/database.h"
 
 namespace vignole {
 

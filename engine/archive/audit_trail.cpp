@@ -3,7 +3,7 @@
 #include <map>
 
 #include "engine/archive/audit_rows.h"
-#include "engine/archive/digest.h"
+#include "engine/database/digest.h"
 
 namespace vignole {
 
@@ -20,7 +20,10 @@ std::string auditDigest(std::int64_t number, std::int64_t timeUs, const AuditNot
   return digest.finish();
 }
 
-void appendAudit(Database& database, std::int64_t timeUs, const AuditNote& note) {
+void appendAudit(Database& database, std::int64_t timeUs, const AuditNote& said) {
+  // As every database gives it back, or its digest would not fit.
+  const AuditNote note{storableText(said.user), storableText(said.action), storableText(said.subject),
+                       storableText(said.reason), storableText(said.details)};
   if (note.user.empty() || note.action.empty())
     throw DatabaseFailure({"audit trail", "an entry needs who and what", ErrorKind::Input});
   if (note.reason.empty()) throw DatabaseFailure({note.action, "needs a reason; say why", ErrorKind::Input});
@@ -48,11 +51,11 @@ Expected<std::vector<AuditEntry>> AuditTrail::entries(const AuditQuery& query) c
     std::vector<AuditEntry> entries;
     database_->query(
         "select number, time_us, by_user, action, subject, reason, details, digest from audit "
-        "where (:a = 0 or number < :b) and time_us >= :c and time_us < :d and (:e = '' or by_user = :f) "
-        "and (:g = '' or action = :h) and (:i = '' or subject = :j) order by number desc limit :k",
-        {query.beforeNumber, query.beforeNumber, query.fromUs.value_or(INT64_MIN), query.toUs.value_or(INT64_MAX),
-         query.user, query.user, query.action, query.action, query.subject, query.subject,
-         static_cast<std::int64_t>(query.limit)},
+        "where number < :a and time_us >= :b and time_us < :c and (:d = '' or by_user = :e) "
+        "and (:f = '' or action = :g) and (:h = '' or subject = :i) order by number desc limit :j",
+        {query.beforeNumber > 0 ? query.beforeNumber : INT64_MAX, query.fromUs.value_or(INT64_MIN),
+         query.toUs.value_or(INT64_MAX), query.user, query.user, query.action, query.action, query.subject,
+         query.subject, atMost(query.limit)},
         "iittttt"
         "t",
         [&](const Row& row) {

@@ -1,8 +1,13 @@
 #include "engine/archive/generated_rails.h"
 
+#include <algorithm>
 #include <cmath>
+#include <condition_variable>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <optional>
+#include <thread>
 
 #include "engine/archive/archive.h"
 #include "engine/archive/passing_rail.h"
@@ -14,6 +19,7 @@ namespace {
 
 constexpr double kUMm = 0.005;
 constexpr std::size_t kRailsAtOnce = 32;
+const MeasuringPlace kPlace{"generated", "generated", "", ""};
 
 /// Half of what is allowed, or a twentieth of a mm where nothing is judged.
 double halfTolerance(const ToleranceLimits& limits) {
@@ -106,6 +112,73 @@ TriggerLedger RailGenerator::ledger() const {
   return ledger;
 }
 
+namespace {
+
+/// Rails made on several threads, handed out in their order.
+class RailMakers {
+ public:
+  RailMakers(const Recipe& recipe, const GeneratedRails& settings, std::shared_ptr<const MeasuringSetup> setup)
+      : recipe_(recipe), settings_(settings), setup_(std::move(setup)) {
+    const std::size_t makers = std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < makers; ++i) makers_.emplace_back([this](const std::stop_token& stop) { make(stop); });
+  }
+  ~RailMakers() {
+    for (std::jthread& maker : makers_) maker.request_stop();
+    changed_.notify_all();
+  }
+  RailMakers(const RailMakers&) = delete;
+  RailMakers& operator=(const RailMakers&) = delete;
+
+  [[nodiscard]] std::unique_ptr<PassingRail> take(std::size_t rail) {
+    std::unique_lock held(mutex_);
+    changed_.wait(held, [&] { return made_.count(rail) > 0; });
+    auto taken = std::move(made_.extract(rail).mapped());
+    wanted_ = rail + 1 + kMadeAhead;
+    changed_.notify_all();
+    return taken;
+  }
+
+ private:
+  static constexpr std::size_t kMadeAhead = 16;
+
+  void make(const std::stop_token& stop) {
+    RailGenerator generator(recipe_, settings_);
+    ProfileResult result;
+    for (;;) {
+      std::size_t rail = 0;
+      {
+        std::unique_lock held(mutex_);
+        if (!changed_.wait(held, stop, [&] { return next_ < std::min(wanted_, settings_.rails); })) return;
+        rail = next_++;
+      }
+      const TimeUs began = settings_.firstUs + static_cast<TimeUs>(1e6 * settings_.everyS * static_cast<double>(rail));
+      const auto took = static_cast<TimeUs>(1e6 * settings_.lengthM);  // at 1 m/s
+      auto passing = std::make_unique<PassingRail>(generator.begin(rail), RailPapers{}, setup_, kPlace,
+                                                   settings_.points, 0, began);
+      for (std::size_t p = 0; p < generator.profiles(); ++p) {
+        generator.measure(p, result);
+        passing->add(result, false);
+      }
+      passing->end(generator.ledger(), {}, RailState::Finished, began + took);
+      passing->pack();
+      const std::scoped_lock held(mutex_);
+      made_.emplace(rail, std::move(passing));
+      changed_.notify_all();
+    }
+  }
+
+  const Recipe& recipe_;
+  const GeneratedRails& settings_;
+  const std::shared_ptr<const MeasuringSetup> setup_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::size_t next_ = 0, wanted_ = kMadeAhead;
+  std::map<std::size_t, std::unique_ptr<PassingRail>> made_;
+  std::vector<std::jthread> makers_;  ///< joined first
+};
+
+}  // namespace
+
 Expected<void> generateRails(std::string_view url, const Recipe& recipe, const GeneratedRails& settings,
                              const std::function<bool(std::size_t)>& progress) {
   auto archive = Archive::open(url, Archive::Missing::Create);
@@ -114,23 +187,13 @@ Expected<void> generateRails(std::string_view url, const Recipe& recipe, const G
   MeasuringSetup setup{recipe, {}};
   setup.calibration.id = "generated";
   setup.calibration.method = "none (generated numbers)";
-  const auto shared = std::make_shared<const MeasuringSetup>(std::move(setup));
-  const MeasuringPlace place{"generated", "generated", "", ""};
-  RailGenerator generator(recipe, settings);
-  ProfileResult result;
+  RailMakers makers(recipe, settings, std::make_shared<const MeasuringSetup>(std::move(setup)));
   std::optional<Transaction> batch;  // the disk is waited for once in many rails
   for (std::size_t i = 0; i < settings.rails; ++i) {
-    const TimeUs began = settings.firstUs + static_cast<TimeUs>(1e6 * settings.everyS * static_cast<double>(i));
-    const auto took = static_cast<TimeUs>(1e6 * settings.lengthM);  // at 1 m/s
-    PassingRail rail(generator.begin(i), {}, shared, place, settings.points, 0, began);
-    for (std::size_t p = 0; p < generator.profiles(); ++p) {
-      generator.measure(p, result);
-      rail.add(result, false);
-    }
-    rail.end(generator.ledger(), {}, RailState::Finished, began + took);
+    const auto rail = makers.take(i);
     const auto stored = guarded([&] {
       if (!batch) batch.emplace(database);
-      rail.store(database, began);
+      rail->store(database, settings.firstUs);
       if ((i + 1) % kRailsAtOnce == 0) {
         batch->commit();
         batch.reset();

@@ -1,8 +1,8 @@
 #pragma once
 // Recipes and calibrations that rails were measured with, kept once each. Throw DatabaseFailure; for this room alone.
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_record.h"
+#include "engine/database/database.h"
 
 namespace vignole {
 

@@ -4,9 +4,9 @@
 #include <chrono>
 
 #include "engine/archive/audit_rows.h"
-#include "engine/archive/digest.h"
 #include "engine/archive/kept_texts.h"
 #include "engine/archive/rail_rows.h"
+#include "engine/database/digest.h"
 #include "engine/optics/calibration_age.h"
 
 namespace vignole {
@@ -31,7 +31,12 @@ bool PassingRail::keptAnyway(std::uint64_t profile) const {
   return policy_.everyNthProfile > 0 && profile % policy_.everyNthProfile == 0;
 }
 
+void PassingRail::pack() {
+  if (packed_.empty() && !pending_.empty()) packed_ = packProfiles(pending_);
+}
+
 void PassingRail::add(const ProfileResult& result, bool withPoints) {
+  packed_.clear();
   const std::uint64_t profile = profilesStored_ + pending_.size();
   summariser_.add(result);
   for (std::size_t d = 0; d < kDimensionCount; ++d)
@@ -97,7 +102,8 @@ void PassingRail::store(Database& database, TimeUs now) {
 
   Transaction transaction(database);
   if (next.key == 0) storeFirst(database, now, next);
-  insertBlock(database, next.key, profilesStored_, pending_);
+  pack();
+  insertBlock(database, next.key, profilesStored_, pending_.size(), packed_);
   updateRail(database, next, exceptions);
   const bool failing = std::any_of(next.summary.dimensions.begin(), next.summary.dimensions.end(),
                                    [](const DimensionSummary& d) { return !d.exceptions.empty(); });
@@ -118,6 +124,7 @@ void PassingRail::store(Database& database, TimeUs now) {
   exceptionsStored_ = exceptions;
   profilesStored_ += pending_.size();
   pending_.clear();
+  packed_.clear();
   sure_.clear();
   if (toDisk || ended_) {
     undecidedOnDisk_ = undecidedOnDisk_ || toDisk;

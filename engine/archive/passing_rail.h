@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_writer.h"
+#include "engine/database/database.h"
 #include "engine/packing/profile_record.h"
 
 namespace vignole {
@@ -23,6 +23,8 @@ class PassingRail {
   [[nodiscard]] bool dirty() const { return ended_ || rail_.key == 0 || !pending_.empty(); }
   [[nodiscard]] std::size_t pending() const { return pending_.size(); }
 
+  /// Does now what store() would do first, and needs no database: on another thread.
+  void pack();
   /// Everything that has come goes on disk in one transaction; after a failure nothing has, and it can be tried again.
   /// Throws DatabaseFailure.
   void store(Database& database, TimeUs now);
@@ -47,6 +49,7 @@ class PassingRail {
   PerDimension<std::size_t> exceptionsStored_{};
   std::uint64_t profilesStored_ = 0;
   std::vector<ProfileRecord> pending_;
+  Bytes packed_;                          ///< pending_ as a block; empty: not packed yet
   std::vector<Points> sure_, undecided_;  ///< undecided: only if the rail is rejected
   std::size_t undecidedBytes_ = 0;
   bool undecidedOnDisk_ = false;

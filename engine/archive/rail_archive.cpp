@@ -34,17 +34,10 @@ class Conditions {
   SqlValues values_;
 };
 
-/// The least text that is greater than every text with this beginning; empty: there is none.
-std::string endOfPrefix(std::string prefix) {
-  while (!prefix.empty() && static_cast<unsigned char>(prefix.back()) == 0xff) prefix.pop_back();
-  if (!prefix.empty()) prefix.back() = static_cast<char>(static_cast<unsigned char>(prefix.back()) + 1);
-  return prefix;
-}
-
 void addPrefix(Conditions& conditions, const std::string& column, const std::string& prefix) {
   if (prefix.empty()) return;
   conditions.add(column + " >= :x", prefix);
-  if (const std::string end = endOfPrefix(prefix); !end.empty()) conditions.add(column + " < :x", end);
+  conditions.add(column + " < :x", prefix + "\xf4\x8f\xbf\xbf");  // the greatest character
 }
 
 void addDimension(Conditions& conditions, const DimensionQuery& query) {
@@ -122,7 +115,7 @@ Expected<std::vector<RailLine>> RailArchive::search(const RailQuery& query) cons
   return guarded([&] {
     const auto held = database_->lock();
     Conditions conditions = conditionsOf(query);
-    const std::string limit = conditions.parameter(static_cast<std::int64_t>(query.limit));
+    const std::string limit = conditions.parameter(atMost(query.limit));
     std::vector<RailLine> lines;
     database_->query(
         "select r.id, r.name, r.heat, r.section, r.recipe_name, r.line, r.began_us, r.ended_us, r.length_m, "
@@ -191,6 +184,15 @@ Expected<std::optional<Profile>> RailArchive::points(std::int64_t key, std::uint
   });
 }
 
+Expected<std::map<std::uint64_t, Bytes>> RailArchive::packedPoints(std::int64_t key) const {
+  return guarded([&] {
+    std::map<std::uint64_t, Bytes> all;
+    database_->query("select profile, content from profile_points where rail = :a order by profile", {key}, "ib",
+                     [&](const Row& row) { all.emplace(static_cast<std::uint64_t>(row.integer(0)), row.bytes(1)); });
+    return all;
+  });
+}
+
 Expected<std::string> RailArchive::recipeText(const StoredRail& rail) const {
   return guarded([&] {
     const auto row = database_->first("select content from recipe where id = :a", {rail.recipe}, "t");
@@ -205,6 +207,47 @@ Expected<std::string> RailArchive::calibrationText(const StoredRail& rail) const
   });
 }
 
+Expected<std::optional<RailHold>> RailArchive::hold(std::int64_t key) const {
+  return guarded([&]() -> std::optional<RailHold> {
+    const auto row = database_->first("select held_us, held_why from rail where id = :a", {key}, "it");
+    if (!row || row->null(0)) return {};
+    return RailHold{row->integer(0), row->text(1)};
+  });
+}
+
+Expected<void> RailArchive::setHold(std::int64_t key, const std::string& why, const std::string& user,
+                                    const std::string& reason) {
+  return guarded([&] {
+    Transaction transaction(*database_);
+    const StoredRail rail = loadRail(*database_, key);
+    const TimeUs now = systemTimeUs();
+    appendAudit(*database_, now,
+                {user, why.empty() ? "rail released" : "rail held", rail.summary.rail.id, reason,
+                 "uid " + rail.uid + (why.empty() ? "" : ", " + why)});
+    database_->run("update rail set held_us = :a, held_why = :b where id = :c",
+                   {why.empty() ? SqlValue() : SqlValue(now), why.empty() ? SqlValue() : SqlValue(why), key});
+    transaction.commit();
+  });
+}
+
+Expected<std::vector<RecordingReference>> RailArchive::recordings(std::int64_t key) const {
+  return guarded([&] {
+    std::vector<RecordingReference> all;
+    database_->query("select place, digest, stored_us from recording where rail = :a order by id", {key}, "tti",
+                     [&](const Row& row) {
+                       all.push_back({row.text(0), row.text(1), row.integer(2)});
+                     });
+    return all;
+  });
+}
+
+Expected<void> RailArchive::addRecording(std::int64_t key, const RecordingReference& recording) {
+  return guarded([&] {
+    database_->run("insert into recording (rail, place, digest, stored_us) values (:a, :b, :c, :d)",
+                   {key, recording.place, recording.digest, recording.storedUs});
+  });
+}
+
 Expected<void> RailArchive::remove(std::int64_t key, const std::string& user, const std::string& reason) {
   return guarded([&] {
     Transaction transaction(*database_);
@@ -212,6 +255,10 @@ Expected<void> RailArchive::remove(std::int64_t key, const std::string& user, co
     if (rail.state == RailState::Running)
       throw DatabaseFailure(
           {"rail " + rail.summary.rail.id, "is passing; it can be removed when it has", ErrorKind::Input});
+    if (const auto held =
+            database_->first("select held_why from rail where id = :a and held_us is not null", {key}, "t"))
+      throw DatabaseFailure(
+          {"rail " + rail.summary.rail.id, "is held (" + held->text(0) + "); release it first", ErrorKind::Input});
     appendAudit(*database_, systemTimeUs(),
                 {user, "rail removed", rail.summary.rail.id, reason,
                  "uid " + rail.uid + ", measured " + isoTime(rail.beganUs)});

@@ -1,6 +1,7 @@
 #pragma once
 // Stored rails: found, opened, replayed, removed.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,19 @@ struct RailLine {
   double worstExcessMm = 0;
 };
 
+/// Why a rail stays, whatever its age.
+struct RailHold {
+  TimeUs sinceUs = 0;
+  std::string why;
+};
+
+/// Frames that were recorded while a rail passed: a file beside the archive.
+struct RecordingReference {
+  std::string place;   ///< path or URL
+  std::string digest;  ///< of the file, as its room makes it
+  TimeUs storedUs = 0;
+};
+
 /// Thread-safe as its archive is.
 class RailArchive {
  public:
@@ -59,10 +73,18 @@ class RailArchive {
   [[nodiscard]] Expected<std::vector<std::uint64_t>> profilesWithPoints(std::int64_t key) const;
   /// Empty where they were not kept.
   [[nodiscard]] Expected<std::optional<Profile>> points(std::int64_t key, std::uint64_t profile) const;
+  /// All of them, as they are kept (packPoints), by number of the profile.
+  [[nodiscard]] Expected<std::map<std::uint64_t, Bytes>> packedPoints(std::int64_t key) const;
   /// The text of the recipe and of the calibration that it was measured with; empty where there is none.
   [[nodiscard]] Expected<std::string> recipeText(const StoredRail& rail) const;
   [[nodiscard]] Expected<std::string> calibrationText(const StoredRail& rail) const;
-  /// Goes into the audit trail.
+  [[nodiscard]] Expected<std::optional<RailHold>> hold(std::int64_t key) const;
+  /// Held from now on, or no longer (empty `why`). Goes into the audit trail.
+  [[nodiscard]] Expected<void> setHold(std::int64_t key, const std::string& why, const std::string& user,
+                                       const std::string& reason);
+  [[nodiscard]] Expected<std::vector<RecordingReference>> recordings(std::int64_t key) const;  ///< oldest first
+  [[nodiscard]] Expected<void> addRecording(std::int64_t key, const RecordingReference& recording);
+  /// Goes into the audit trail. Refused for a rail that is held.
   [[nodiscard]] Expected<void> remove(std::int64_t key, const std::string& user, const std::string& reason);
 
  private:

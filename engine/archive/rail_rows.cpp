@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/archive/digest.h"
+#include "engine/database/digest.h"
 
 namespace vignole {
 
@@ -264,10 +264,10 @@ void insertLedger(Database& database, const StoredRail& rail) {
   }
 }
 
-void insertBlock(Database& database, std::int64_t rail, std::uint64_t first, std::span<const ProfileRecord> records) {
-  if (records.empty()) return;
+void insertBlock(Database& database, std::int64_t rail, std::uint64_t first, std::size_t profiles, const Bytes& block) {
+  if (profiles == 0) return;
   database.run("insert into profile_block (rail, first, profiles, content) values (:a, :b, :c, :d)",
-               {rail, whole(first), whole(records.size()), packProfiles(records)});
+               {rail, whole(first), whole(profiles, 0), block});
 }
 
 void joinBlocks(Database& database, std::int64_t rail) {
@@ -275,8 +275,10 @@ void joinBlocks(Database& database, std::int64_t rail) {
   if (!blocks || blocks->integer(0) < 2) return;
   const std::vector<ProfileRecord> all = loadProfiles(database, rail, 0, kMaxColumn);
   database.run("delete from profile_block where rail = :a", {rail});
-  for (std::size_t first = 0; first < all.size(); first += kBlockProfiles)
-    insertBlock(database, rail, first, std::span(all).subspan(first, std::min(kBlockProfiles, all.size() - first)));
+  for (std::size_t first = 0; first < all.size(); first += kBlockProfiles) {
+    const std::size_t profiles = std::min(kBlockProfiles, all.size() - first);
+    insertBlock(database, rail, first, profiles, packProfiles(std::span(all).subspan(first, profiles)));
+  }
 }
 
 StoredRail loadRail(Database& database, std::int64_t key) {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_record.h"
+#include "engine/database/database.h"
 #include "engine/packing/profile_record.h"
 
 namespace vignole {
@@ -16,7 +16,8 @@ namespace vignole {
 void updateRail(Database& database, const StoredRail& rail, PerDimension<std::size_t>& known);
 /// What is known when it has passed: the reasons of its triggers and its stages.
 void insertLedger(Database& database, const StoredRail& rail);
-void insertBlock(Database& database, std::int64_t rail, std::uint64_t first, std::span<const ProfileRecord> records);
+/// `block`: that many profiles as packProfiles gives them.
+void insertBlock(Database& database, std::int64_t rail, std::uint64_t first, std::size_t profiles, const Bytes& block);
 /// The blocks of a passing rail, one a second, become few large ones.
 void joinBlocks(Database& database, std::int64_t rail);
 

@@ -1,6 +1,7 @@
 #include "engine/archive/rail_writer.h"
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 
 #include "engine/archive/archive.h"
 #include "engine/archive/passing_rail.h"
+#include "engine/archive/rail_delivery.h"
 #include "engine/archive/rail_rows.h"
 
 namespace vignole {
@@ -155,6 +157,7 @@ struct RailWriter::Impl {
   std::optional<Error> lost;  ///< why a rail was not stored to its end
   bool givenUp = false;       ///< not live, and the disk failed: nothing more is taken
 
+  std::unique_ptr<RailDelivery> delivery;  ///< where the archive is on a server
   std::optional<PassingRail> passing;
   Clock::time_point lastStored = Clock::now();
   std::jthread thread;
@@ -246,6 +249,7 @@ void RailWriter::Impl::store(const std::stop_token& stop) {
   if (!passing->ended()) return;
   ++status.railsStored;
   passing.reset();
+  if (delivery) delivery->railHasPassed();
 }
 
 void RailWriter::Impl::run(const std::stop_token& stop) {
@@ -277,15 +281,26 @@ RailWriter::~RailWriter() { (void)close(); }
 Expected<std::unique_ptr<RailWriter>> RailWriter::open(std::string_view url, RailWriterSettings settings) {
   const auto parsed = parseArchiveUrl(url);
   if (!parsed) return tl::unexpected(parsed.error());
-  auto archive = Archive::open(url, Archive::Missing::Create);
+  std::string file = parsed->file.string();
+  const bool server = parsed->kind == ArchiveKind::Postgresql;
+  if (server) {
+    const auto there = Archive::open(url, Archive::Missing::Create);
+    if (!there && (there.error().kind == ErrorKind::Input || !settings.live)) return tl::unexpected(there.error());
+    const auto waiting = waitingRailsFile(settings.waitingFolder, shown(*parsed), settings.place.line);
+    if (!waiting) return tl::unexpected(waiting.error());
+    file = waiting->string();
+  }
+  auto archive = Archive::open("sqlite:" + file, Archive::Missing::Create);
   if (!archive) return tl::unexpected(archive.error());
-  auto lock = WriterLock::take(parsed->file);
+  auto lock = WriterLock::take(file);
   if (!lock) return tl::unexpected(lock.error());
   const auto database = archive->database();
   if (const auto done = guarded([&] { interruptRunning(*database, settings.place.line); }); !done)
     return tl::unexpected(done.error());
-  return std::unique_ptr<RailWriter>(
-      new RailWriter(std::make_unique<Impl>(std::move(settings), database, std::move(*lock))));
+  const auto retry = std::chrono::milliseconds(std::max<std::int64_t>(1, std::llround(1000 * settings.deliveryRetryS)));
+  auto impl = std::make_unique<Impl>(std::move(settings), database, std::move(*lock));
+  if (server) impl->delivery = std::make_unique<RailDelivery>(file, std::string(url), retry);
+  return std::unique_ptr<RailWriter>(new RailWriter(std::move(impl)));
 }
 
 void RailWriter::begin(const RailBegin& rail, const RailPapers& papers, std::shared_ptr<const MeasuringSetup> setup) {
@@ -303,6 +318,12 @@ RailWriterStatus RailWriter::status() const {
   RailWriterStatus status = impl_->status;
   status.queued = impl_->queuedProfiles;
   status.queueCapacity = impl_->settings.queueWithoutPoints;
+  if (impl_->delivery) {
+    const RailDeliveryStatus delivery = impl_->delivery->status();
+    status.railsStored = delivery.delivered;
+    status.railsWaiting = delivery.waiting;
+    if (status.failure.empty()) status.failure = delivery.failure;
+  }
   return status;
 }
 
@@ -311,8 +332,9 @@ Expected<void> RailWriter::close() {
     impl_->thread.request_stop();
     impl_->thread.join();
   }
+  const Expected<void> delivered = impl_->delivery ? impl_->delivery->finish() : Expected<void>{};
   if (impl_->lost) return tl::unexpected(*impl_->lost);
-  return {};
+  return delivered;
 }
 
 }  // namespace vignole

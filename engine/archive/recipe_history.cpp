@@ -1,8 +1,8 @@
 #include "engine/archive/recipe_history.h"
 
 #include "engine/archive/audit_rows.h"
-#include "engine/archive/digest.h"
 #include "engine/archive/kept_texts.h"
+#include "engine/database/digest.h"
 
 namespace vignole {
 

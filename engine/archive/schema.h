@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/archive/database.h"
+#include "engine/database/database.h"
 
 namespace vignole {
 

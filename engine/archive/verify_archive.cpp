@@ -2,8 +2,8 @@
 
 #include "engine/archive/audit_rows.h"
 #include "engine/archive/audit_trail.h"
-#include "engine/archive/digest.h"
 #include "engine/archive/rail_rows.h"
+#include "engine/database/digest.h"
 #include "engine/packing/point_pack.h"
 
 namespace vignole {

@@ -21,8 +21,9 @@ struct ArchiveCheck {
 };
 
 /// The database's own pages and references, every rail against its digest and every block of it unpacked, the texts of
-/// recipes and calibrations against theirs, the chain of the audit trail. `progress`: share done; false stops. An Error
-/// only where the archive cannot be read at all.
+/// recipes and calibrations against theirs, the chain of the audit trail. Rows of alarms, events and users carry no
+/// digest: of those only what breaks a page shows. `progress`: share done; false stops. An Error only where the archive
+/// cannot be read at all.
 [[nodiscard]] Expected<ArchiveCheck> verifyArchive(const Archive& archive,
                                                    const std::function<bool(double)>& progress = {});
 

@@ -5,12 +5,10 @@
 #include <utility>
 
 #include "engine/inspection/pipeline.h"
+#include "engine/inspection/profile_measurement.h"
 #include "engine/profile/stripe_optics.h"
 #include "engine/profile/translate.h"
-#include "engine/rail/catalogue.h"
-#include "engine/registration/rail_matcher.h"
 #include "engine/stripe/stripe_extractor.h"
-#include "engine/systematic/calibration_error.h"
 
 namespace vignole {
 
@@ -25,11 +23,6 @@ MeasuringField fieldAround(const Section& section) {
   return {{-reach - kMarginMm, -kMarginMm}, {reach + kMarginMm, section.heightMm() + kMarginMm}};
 }
 
-/// Through such a calibration that the rail cannot be found nothing is measured, so its uncertainty does not matter.
-PerDimension<double> uncertaintyBy(const RigCalibration& calibration, const Recipe& recipe) {
-  return calibrationUncertainty(recipe.section, recipe.parameters, calibration).value_or(PerDimension<double>{});
-}
-
 }  // namespace
 
 StripeOptics extractionOptics(const RigCalibration& calibration, const Section& section, int camera) {
@@ -39,12 +32,7 @@ StripeOptics extractionOptics(const RigCalibration& calibration, const Section& 
 struct Inspection::Impl {
   Impl(FrameSource& source, Recipe chosenRecipe, RigCalibration rig, InspectionObserver observer,
        const InspectionSettings& settings)
-      : recipe(std::move(chosenRecipe)),
-        calibration(std::move(rig)),
-        registrar(recipe.section, recipe.registration),
-        matcher(recipe.section, catalogueSections(), recipe.registration),
-        measurer(recipe.section, recipe.parameters, recipe.limits, recipe.measurement,
-                 uncertaintyBy(calibration, recipe)) {
+      : recipe(std::move(chosenRecipe)), calibration(std::move(rig)), profileMeasurement(recipe, calibration) {
     for (std::size_t c = 0; c < kCameraCount; ++c) {
       extractors.emplace_back(recipe.stripe, extractionOptics(calibration, recipe.section, static_cast<int>(c)));
       translators.emplace_back(static_cast<int>(c), calibration.rangeFinders[c]);
@@ -53,29 +41,21 @@ struct Inspection::Impl {
   }
 
   PipelineWork work() {
-    return {
-        [this](int camera, const ImageView& image, StripeResult& result) {
-          extractors[static_cast<std::size_t>(camera)].extract(image, result);
-        },
-        [this](int camera, std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) {
-          translators[static_cast<std::size_t>(camera)].translate(trigger, stripe, result);
-        },
-        // No start from an earlier profile: what is lost or late must not change what is measured next.
-        [this](const RailBegin& rail, const Profile& profile, Registration& registration, Measurement& measurement) {
-          const auto correlated = static_cast<double>(profile.correlatedPoints);
-          registrar.registerProfile(profile.points, registration, {}, correlated);
-          matcher.check(profile.points, correlated, registration);
-          measurer.measure(profile, registration, {rail.temperatureC, rail.temperatureUncertaintyC}, measurement);
-        }};
+    return {[this](int camera, const ImageView& image, StripeResult& result) {
+              extractors[static_cast<std::size_t>(camera)].extract(image, result);
+            },
+            [this](int camera, std::uint64_t trigger, const StripeResult& stripe, PartialContour& result) {
+              translators[static_cast<std::size_t>(camera)].translate(trigger, stripe, result);
+            },
+            [this](const RailBegin& rail, const Profile& profile, Registration& registration,
+                   Measurement& measurement) { profileMeasurement.measure(rail, profile, registration, measurement); }};
   }
 
   Recipe recipe;
   RigCalibration calibration;
   std::vector<StripeExtractor> extractors;
   std::vector<Translator> translators;
-  Registrar registrar;
-  RailMatcher matcher;
-  Measurer measurer;
+  ProfileMeasurement profileMeasurement;
   std::unique_ptr<Pipeline> pipeline;  // last: its threads end before what they use
 };
 

@@ -114,8 +114,12 @@ Bytes packPoints(const Profile& profile, PointCoding coding) {
   return packer.finish();
 }
 
+PointCoding codingOf(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > 1 && bytes[1] == kExactKind ? PointCoding::Exact : PointCoding::Compact;
+}
+
 Expected<Profile> unpackPoints(std::span<const std::uint8_t> bytes) {
-  const bool exact = bytes.size() > 1 && bytes[1] == kExactKind;
+  const bool exact = codingOf(bytes) == PointCoding::Exact;
   ColumnReader reader(bytes, exact ? kExactKind : kCompactKind);
   Profile profile;
   profile.trigger = reader.number();

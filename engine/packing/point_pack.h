@@ -15,6 +15,8 @@ enum class PointCoding : std::uint8_t { Exact = 1, Compact = 2 };
 [[nodiscard]] std::string_view name(PointCoding coding);  ///< "exact", "compact"
 
 [[nodiscard]] Bytes packPoints(const Profile& profile, PointCoding coding);
+/// How they were packed; Compact of what are no points.
+[[nodiscard]] PointCoding codingOf(std::span<const std::uint8_t> bytes);
 /// The whole profile. Refuses what is damaged.
 [[nodiscard]] Expected<Profile> unpackPoints(std::span<const std::uint8_t> bytes);
 

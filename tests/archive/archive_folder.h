@@ -1,6 +1,8 @@
 #pragma once
-// Archives for tests: an empty folder that is gone with the object, and rails to put into them.
+// Archives for tests: an empty folder that is gone with the object, and rails to put into them. url() names an archive
+// of the kind that is to be tested, SQLite or PostgreSQL (PostgresqlServer::wished()); file() always a file.
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -8,6 +10,7 @@
 
 #include "engine/archive/archive.h"
 #include "engine/archive/generated_rails.h"
+#include "tests/archive/postgresql_server.h"
 
 namespace vignole::testing {
 
@@ -30,6 +33,18 @@ class ArchiveFolder {
   ArchiveFolder& operator=(const ArchiveFolder&) = delete;
   [[nodiscard]] std::string file(const std::string& name = "rails of the mill.db") const {
     return (path_ / name).string();
+  }
+  [[nodiscard]] std::string url(const std::string& name = "rails of the mill.db") const {
+    if (!PostgresqlServer::wished()) return file(name);
+    std::string schema = path_.filename().string() + "_" + name;
+    for (char& c : schema) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    // Names are without case, and the folder's has both.
+    std::string plain;
+    for (const char c : schema) {
+      if (std::isupper(static_cast<unsigned char>(c)) != 0) plain += "_";
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return PostgresqlServer::ofThisProgram().url(plain);
   }
 
  private:

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/archive/database.h"
 #include "engine/archive/verify_archive.h"
+#include "engine/database/database.h"
 #include "tests/archive/archive_folder.h"
 
 namespace vignole {
@@ -20,7 +20,7 @@ class AuditTrailTest : public ::testing::Test {
   std::vector<std::string> found() const { return *trail.verify(); }
 
   testing::ArchiveFolder folder;
-  Archive archive = testing::openArchive(folder.file());
+  Archive archive = testing::openArchive(folder.url());
   AuditTrail trail{archive};
 };
 
@@ -67,7 +67,7 @@ TEST_F(AuditTrailTest, EveryChangedFieldShows) {
   for (const char* change : {"time_us = time_us + 1", "by_user = 'Bob'", "action = 'x'", "subject = 'x'",
                              "reason = 'x'", "details = ''", "before = 'x'", "digest = 'x'", "number = 40"}) {
     const testing::ArchiveFolder other;
-    const Archive copy = testing::openArchive(other.file());
+    const Archive copy = testing::openArchive(other.url());
     AuditTrail of(copy);
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(of.add("Ann", "a", "b", "c", "d"));
     ASSERT_TRUE(of.verify()->empty());
@@ -85,7 +85,7 @@ TEST_F(AuditTrailTest, ATrailWrittenAnewContradictsTheRailsMeasuredSince) {
   GeneratedRails g;
   g.rails = 1;
   g.lengthM = 0.3;
-  ASSERT_TRUE(generateRails(folder.file(), testing::recipe(), g));
+  ASSERT_TRUE(generateRails(folder.url(), testing::recipe(), g));
   EXPECT_TRUE(found().empty());
   // The last entry taken out, and the head put back so that the chain itself is whole.
   tamper("delete from audit where number = 6");

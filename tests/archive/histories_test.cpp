@@ -13,7 +13,7 @@ namespace {
 class HistoriesTest : public ::testing::Test {
  protected:
   testing::ArchiveFolder folder;
-  Archive archive = testing::openArchive(folder.file());
+  Archive archive = testing::openArchive(folder.url());
 };
 
 TEST_F(HistoriesTest, ARecipeIsDraftedApprovedAndReplaced) {
@@ -52,7 +52,7 @@ TEST_F(HistoriesTest, ARecipeThatRailsWereMeasuredWithCanBeEnteredLater) {
   GeneratedRails g;
   g.rails = 2;
   g.lengthM = 0.3;
-  ASSERT_TRUE(generateRails(folder.file(), testing::recipe(), g));
+  ASSERT_TRUE(generateRails(folder.url(), testing::recipe(), g));
   RecipeHistory recipes(archive);
   EXPECT_TRUE(recipes.names()->empty());
   const auto draft = recipes.addDraft(testing::recipe(), "Quinn", "from the line");

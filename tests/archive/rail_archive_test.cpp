@@ -19,9 +19,9 @@ class RailArchiveTest : public ::testing::Test {
     g.lengthM = 1.5;
     g.failingShare = 0.3;
     g.railsPerHeat = 20;
-    const auto made = generateRails(folder->file(), testing::recipe(), g);
+    const auto made = generateRails(folder->url(), testing::recipe(), g);
     ASSERT_TRUE(made) << made.error().message();
-    archive = new Archive(testing::openArchive(folder->file()));
+    archive = new Archive(testing::openArchive(folder->url()));
   }
   static void TearDownTestSuite() {
     delete archive;
@@ -131,8 +131,8 @@ TEST(RailArchiveRemoval, NeedsAReasonAndIsAudited) {
   GeneratedRails g;
   g.rails = 3;
   g.lengthM = 0.3;
-  ASSERT_TRUE(generateRails(folder.file(), testing::recipe(), g));
-  const Archive archive = testing::openArchive(folder.file());
+  ASSERT_TRUE(generateRails(folder.url(), testing::recipe(), g));
+  const Archive archive = testing::openArchive(folder.url());
   RailArchive rails(archive);
   EXPECT_FALSE(rails.remove(2, "Eve", ""));
   EXPECT_EQ(*rails.count(), 3U);

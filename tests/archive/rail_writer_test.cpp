@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-#include "engine/archive/database.h"
 #include "engine/archive/rail_archive.h"
+#include "engine/database/database.h"
 #include "tests/archive/archive_folder.h"
 
 namespace vignole {
@@ -69,7 +69,7 @@ TEST_F(RailWriterTest, ARailComesBackAsItWasToldWhenItPassed) {
   RailGenerator generator(testing::recipe(), rails(1));
   RailSummariser beside(generator.begin(4), testing::recipe(), "test rig");
   {
-    const auto writer = openWriter(folder.file());
+    const auto writer = openWriter(folder.url());
     write(*writer, generator, 4, &beside);
     ASSERT_TRUE(writer->close());
     EXPECT_EQ(writer->status().railsStored, 1U);
@@ -78,7 +78,7 @@ TEST_F(RailWriterTest, ARailComesBackAsItWasToldWhenItPassed) {
   TriggerLedger ledger = generator.ledger();
   ledger.seen += 3;
   const RailSummary told = beside.summary(ledger);
-  const Archive archive = testing::openArchive(folder.file(), Archive::Missing::Refuse);
+  const Archive archive = testing::openArchive(folder.url(), Archive::Missing::Refuse);
   const RailArchive stored(archive);
   const auto found = stored.search({});
   ASSERT_TRUE(found) << found.error().message();
@@ -135,11 +135,11 @@ TEST_F(RailWriterTest, ARailComesBackAsItWasToldWhenItPassed) {
 TEST_F(RailWriterTest, EveryProfileIsKeptToTheNanometre) {
   RailGenerator generator(testing::recipe(), rails());
   {
-    const auto writer = openWriter(folder.file());
+    const auto writer = openWriter(folder.url());
     write(*writer, generator, 1);
     ASSERT_TRUE(writer->close());
   }
-  const Archive archive = testing::openArchive(folder.file());
+  const Archive archive = testing::openArchive(folder.url());
   const auto profiles = RailArchive(archive).profiles(1);
   ASSERT_TRUE(profiles) << profiles.error().message();
   ASSERT_EQ(profiles->size(), 200U);
@@ -219,7 +219,7 @@ TEST_F(RailWriterTest, WhatHasPassedIsSeenByOthersWhileTheRailRuns) {
 
 TEST_F(RailWriterTest, ARailWithoutEndIsInterruptedByTheNextAndByTheEnd) {
   {
-    const auto writer = openWriter(folder.file());
+    const auto writer = openWriter(folder.url());
     RailGenerator generator(testing::recipe(), rails());
     ProfileResult result;
     for (std::size_t rail = 0; rail < 2; ++rail) {
@@ -231,7 +231,7 @@ TEST_F(RailWriterTest, ARailWithoutEndIsInterruptedByTheNextAndByTheEnd) {
     }
     ASSERT_TRUE(writer->close());
   }
-  const Archive archive = testing::openArchive(folder.file());
+  const Archive archive = testing::openArchive(folder.url());
   const auto found = RailArchive(archive).search({});
   ASSERT_TRUE(found);
   ASSERT_EQ(found->size(), 2U);
@@ -242,8 +242,8 @@ TEST_F(RailWriterTest, ARailWithoutEndIsInterruptedByTheNextAndByTheEnd) {
 }
 
 TEST_F(RailWriterTest, ASecondWriterIsRefused) {
-  const auto writer = openWriter(folder.file());
-  const auto second = RailWriter::open(folder.file(), settings());
+  const auto writer = openWriter(folder.url());
+  const auto second = RailWriter::open(folder.url(), settings());
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().kind, ErrorKind::World);
 }

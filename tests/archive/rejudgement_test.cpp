@@ -19,8 +19,8 @@ class RejudgementTest : public ::testing::Test {
     g.rails = 40;
     g.lengthM = 1.5;
     g.failingShare = 0.4;
-    ASSERT_TRUE(generateRails(folder.file(), testing::recipe(), g));
-    archive.emplace(testing::openArchive(folder.file()));
+    ASSERT_TRUE(generateRails(folder.url(), testing::recipe(), g));
+    archive.emplace(testing::openArchive(folder.url()));
     auto found = RailArchive(*archive).search({});
     ASSERT_TRUE(found);
     rails = std::move(*found);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/archive/audit_trail.h"
-#include "engine/archive/database.h"
+#include "engine/database/database.h"
 #include "tests/archive/archive_folder.h"
 
 namespace vignole {
@@ -29,7 +29,7 @@ class UserRegisterTest : public ::testing::Test {
   }
 
   testing::ArchiveFolder folder;
-  Archive archive = testing::openArchive(folder.file());
+  Archive archive = testing::openArchive(folder.url());
   TimeUs now = 1'000'000'000'000;
   UserRegister users{archive, cheap(), [this] { return now; }};
 };
@@ -132,7 +132,7 @@ TEST_F(UserRegisterTest, EveryChangeIsAudited) {
 
 TEST(UserRegisterFirst, IsAnAdministrator) {
   const testing::ArchiveFolder folder;
-  const Archive archive = testing::openArchive(folder.file());
+  const Archive archive = testing::openArchive(folder.url());
   UserRegister users(archive, cheap());
   EXPECT_FALSE(users.add("ann", Role::QA, "battery staple", "ann", "first"));
   EXPECT_TRUE(users.accounts()->empty());

@@ -3,6 +3,7 @@
 // SQLite or PostgreSQL). Inside the room failures travel as DatabaseFailure; guarded() turns them into Error at its
 // door.
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -15,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/archive/archive_url.h"
+#include "engine/database/archive_url.h"
 #include "engine/packing/columns.h"
 
 namespace vignole {
@@ -41,6 +42,11 @@ using SqlValues = std::vector<SqlValue>;
   return value ? SqlValue(*value) : SqlValue();
 }
 
+/// For "limit".
+[[nodiscard]] inline SqlValue atMost(std::size_t rows) {
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(rows, INT64_MAX));
+}
+
 /// One row of an answer. A NULL reads as 0, "" or no bytes.
 class Row {
  public:
@@ -60,7 +66,11 @@ class Row {
   std::vector<SqlValue> cells_;
 };
 
-/// One connection. Every call takes its mutex; who makes several calls that belong together holds lock().
+/// A text that every database stores: what is no UTF-8, and zero, replaced by U+FFFD.
+[[nodiscard]] std::string storableText(std::string text);
+
+/// One connection. Every call takes its mutex; who makes several calls that belong together holds lock(). A connection
+/// to a server that was lost is made anew by the next call outside of a transaction.
 class Database {
  public:
   enum class Missing { Refuse, Create };
@@ -85,7 +95,11 @@ class Database {
   /// The first row, if there is one.
   [[nodiscard]] std::optional<Row> first(std::string_view sql, const SqlValues& parameters, std::string_view columns);
 
-  void begin();  ///< takes the right to write at once, so that no transaction fails half way for want of it
+  [[nodiscard]] bool hasTable(const std::string& name);
+  [[nodiscard]] bool empty();  ///< no table of anybody's
+
+  void beginReading();  ///< everything as it is at this moment; ended by rollback()
+  void begin();         ///< takes the right to write at once, so that no transaction fails half way for want of it
   void commit();
   void rollback() noexcept;
 
@@ -107,6 +121,19 @@ class Transaction {
   Database& database_;
   std::unique_lock<std::recursive_mutex> lock_;
   bool open_ = true;
+};
+
+/// Reading everything as it was at one moment. Nothing may be written meanwhile.
+class Snapshot {
+ public:
+  explicit Snapshot(Database& database) : database_(database), lock_(database.lock()) { database_.beginReading(); }
+  ~Snapshot() { database_.rollback(); }
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+ private:
+  Database& database_;
+  std::unique_lock<std::recursive_mutex> lock_;
 };
 
 /// What `work` returns, or the failure that it met.

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/archive/database.h"
+#include "engine/database/database.h"
 
 namespace vignole {
 

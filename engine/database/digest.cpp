@@ -1,4 +1,4 @@
-#include "engine/archive/digest.h"
+#include "engine/database/digest.h"
 
 #include <array>
 #include <bit>
