@@ -43,6 +43,7 @@ void benchExtract(const BenchMaterial& material, std::vector<BenchSeries>& resul
 void benchTranslate(const BenchMaterial& material, std::vector<BenchSeries>& results);
 void benchAssemble(const BenchMaterial& material, std::vector<BenchSeries>& results);
 void benchRegister(const BenchMaterial& material, std::vector<BenchSeries>& results);
+void benchRecord(const BenchMaterial& material, std::vector<BenchSeries>& results);
 void benchMeasure(const BenchMaterial& material, std::vector<BenchSeries>& results);
 /// `cores` that the program may use.
 void benchPipeline(const BenchMaterial& material, int cores, std::vector<BenchSeries>& results);

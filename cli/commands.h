@@ -16,6 +16,7 @@ void addSimulate(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
 void addStudy(CLI::App& app, int& exitCode);
 void addArchive(CLI::App& app, int& exitCode);
+void addRecording(CLI::App& app, int& exitCode);
 void addSite(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 

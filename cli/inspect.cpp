@@ -19,6 +19,7 @@
 #include "cli/inspect_output.h"
 #include "cli/interruption.h"
 #include "cli/live_line.h"
+#include "cli/recording_options.h"
 #include "cli/report_files.h"
 #include "engine/archive/rail_writer.h"
 #include "engine/files/atomic_file.h"
@@ -41,14 +42,11 @@ struct Options {
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> rigSeed;
   std::vector<std::string> effects, deviations, faults, reports;
-  bool paced = false, quiet = false;
+  RecordOptions recordOptions;
+  bool paced = false, quiet = false, recipeGiven = false;
 };
 
 Expected<void> refuseWhatIsNotThere(const Options& o) {
-  const auto later = [](const char* option, const std::string& with) {
-    return inputError(option, "comes with " + with + ", which this version does not have; use --source virtual");
-  };
-  if (o.source == "recording" || !o.recording.empty()) return later("--recording", "recordings");
   if (o.source != "gige" && !o.address.empty()) return inputError("--address", "is of cameras; add --source gige");
   if (o.source != "gige" && !o.site.empty()) return inputError("--site", "is of cameras; add --source gige");
   if (o.source == "gige" && !(o.effects.empty() && o.deviations.empty() && o.faults.empty()))
@@ -56,8 +54,15 @@ Expected<void> refuseWhatIsNotThere(const Options& o) {
                       : !o.deviations.empty() ? "--deviation"
                                               : "--fault",
                       "is of the virtual rig; give it to simulate serve");
-  if (!o.record.empty())
-    return inputError("--record", "comes with recordings, which this version does not have; leave it out");
+  if (o.source != "recording" && !o.recording.empty())
+    return inputError("--recording", "is measured with --source recording; give that too");
+  if (o.source == "recording") {
+    if (o.recording.empty()) return inputError("--source recording", "needs --recording FILE");
+    for (const auto& [option, words] :
+         {std::pair{"--effect", &o.effects}, {"--deviation", &o.deviations}, {"--fault", &o.faults}})
+      if (!words->empty()) return inputError(option, "is for the virtual rig; a recording shows what the cameras saw");
+  }
+  if (auto possible = checkRecordOptions(o.recordOptions, o.record); !possible) return possible;
   for (const std::string& file : o.reports)
     if (auto known = checkReportFile(file); !known) return known;
   return {};
@@ -75,6 +80,40 @@ Expected<std::shared_ptr<const VirtualRig>> makeRig(const Options& o, const Reci
   if (const auto applied = applyWords(settings, o.effects, o.deviations, o.faults); !applied)
     return tl::unexpected(applied.error());
   return VirtualRig::create(std::move(settings));
+}
+
+/// The words that made the virtual rig, as a recording keeps them: with them its truth is known again.
+std::string originOf(const Options& o) {
+  nlohmann::ordered_json words = {{"seed", o.seed},
+                                  {"spacing_mm", o.spacingMm},
+                                  {"speed_m_per_s", o.speedMPerS},
+                                  {"temperature_c", o.temperatureC},
+                                  {"effects", o.effects},
+                                  {"deviations", o.deviations},
+                                  {"faults", o.faults}};
+  if (o.rigSeed) words["rig_seed"] = *o.rigSeed;
+  return words.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Null where the recording is of another source, or of a rig that this version does not make.
+std::shared_ptr<const VirtualRig> rigOfOrigin(const RecordedSetup& setup) {
+  if (setup.source != "virtual") return nullptr;
+  Options o;
+  try {
+    const auto words = nlohmann::json::parse(setup.origin);
+    o.seed = words.at("seed").get<std::uint64_t>();
+    if (words.contains("rig_seed")) o.rigSeed = words.at("rig_seed").get<std::uint64_t>();
+    o.spacingMm = words.at("spacing_mm").get<double>();
+    o.speedMPerS = words.at("speed_m_per_s").get<double>();
+    o.temperatureC = words.at("temperature_c").get<double>();
+    o.effects = words.at("effects").get<std::vector<std::string>>();
+    o.deviations = words.at("deviations").get<std::vector<std::string>>();
+    o.faults = words.at("faults").get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception&) {
+    return nullptr;
+  }
+  const auto rig = makeRig(o, setup.recipe);
+  return rig ? *rig : nullptr;
 }
 
 /// A calibration of other cameras would give numbers that mean nothing.
@@ -125,7 +164,7 @@ class Collector {
 
   InspectionObserver observer() {
     return {[this](const RailBegin& rail) { begin(rail); }, [this](const ProfileResult& result) { add(result); },
-            [this](const RailBegin&, const TriggerLedger& ledger) { end(ledger); },
+            [this](const RailBegin& rail, const TriggerLedger& ledger) { end(rail, ledger); },
             [this](const std::string& message) { finish(message); }};
   }
 
@@ -154,6 +193,8 @@ class Collector {
     inspection_ = &inspection;
     setup_ = std::make_shared<const MeasuringSetup>(MeasuringSetup{recipe_, calibration_});
   }
+  /// Before the start: it is told of every rail's verdict.
+  void tell(std::shared_ptr<FrameRecorder> recorder) { recorder_ = std::move(recorder); }
   /// Until all is on disk. The inspection is not asked any more.
   Expected<void> closeArchive() {
     inspection_ = nullptr;
@@ -191,11 +232,12 @@ class Collector {
     progress_.update(static_cast<double>(profiles) / profilesExpected_, std::to_string(profiles) + " profiles");
   }
 
-  void end(const TriggerLedger& ledger) {
+  void end(const RailBegin& rail, const TriggerLedger& ledger) {
     if (archive_)
       archive_->end(ledger, inspection_ != nullptr ? inspection_->stages() : std::vector<StageStatistics>());
     rails.push_back({summariser_->summary(ledger), recipe_.section.name});
     rails.back().summary.calibrationWarning = calibrationWarning_;
+    if (recorder_) recorder_->railPassed(rail, rails.back().summary.verdict);
     if (drift.endRail().alarm() && !firstDriftRail) firstDriftRail = rails.size();
     examples.push_back(std::move(example_));
     example_.reset();
@@ -216,6 +258,7 @@ class Collector {
   std::optional<AtomicFile> csv_;
   std::unique_ptr<RailWriter> archive_;
   const Inspection* inspection_ = nullptr;
+  std::shared_ptr<FrameRecorder> recorder_;
   std::shared_ptr<const MeasuringSetup> setup_;
   Progress& progress_;
   double profilesExpected_;
@@ -292,8 +335,10 @@ struct Input {
   const GigeSource* cameras = nullptr;    ///< null unless they are the source
 };
 
-Expected<Input> openInput(const Options& o, const Recipe& recipe) {
+/// `recorded`: null unless a recording is measured.
+Expected<Input> openInput(const Options& o, const Recipe& recipe, const RecordedRun* recorded) {
   Input input;
+  input.calibrationName = o.calibration;
   if (o.source == "gige") {
     LiveLineOptions live;
     live.site = o.site;
@@ -311,19 +356,33 @@ Expected<Input> openInput(const Options& o, const Recipe& recipe) {
     input.calibrationName = std::move(line->calibrationName);
     return input;
   }
-  auto rig = makeRig(o, recipe);
-  if (!rig) return tl::unexpected(rig.error());
-  input.rig = *rig;
-  input.calibration = (*rig)->calibration();
-  input.calibrationName = o.calibration;
+  if (recorded != nullptr) {
+    if (const auto allowed = recorded->recording().allows(recipe.stripe); !allowed)
+      return tl::unexpected(allowed.error());
+    if (recorded->setup()) {
+      input.rig = rigOfOrigin(*recorded->setup());
+      input.calibration = recorded->setup()->calibration;
+    } else if (o.calibration.empty()) {
+      return inputError(o.recording,
+                        "does not say any more with which calibration it was recorded; give --calibration");
+    }
+    recorded->warn();
+    input.source = recorded->source();
+  } else {
+    auto rig = makeRig(o, recipe);
+    if (!rig) return tl::unexpected(rig.error());
+    input.rig = *rig;
+    input.calibration = (*rig)->calibration();
+    input.source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
+  }
   if (!o.calibration.empty()) {
     auto loaded = loadCalibration(o.calibration);
     if (!loaded) return tl::unexpected(loaded.error());
-    if (const auto fits = checkFits(*loaded, input.calibration, o.calibration); !fits)
+    const bool known = recorded == nullptr || recorded->setup();
+    if (const auto fits = known ? checkFits(*loaded, input.calibration, o.calibration) : Expected<void>(); !fits)
       return tl::unexpected(fits.error());
     input.calibration = *std::move(loaded);
   }
-  input.source = makeVirtualSource(*rig, {o.rails, 1000 * o.lengthM, o.paced});
   return input;
 }
 
@@ -372,9 +431,15 @@ int inspect(const Options& o) {
   // Before any other thread is made: they inherit that they are not to be interrupted.
   const Interruption interruption([&stopSwitch] { stopSwitch.stop(); });
   if (const auto possible = refuseWhatIsNotThere(o); !possible) return fail(possible.error());
-  const auto recipe = findRecipe(o.recipe);
+  std::optional<RecordedRun> recorded;
+  if (o.source == "recording") {
+    auto opened = RecordedRun::open(o.recording, o.paced);
+    if (!opened) return fail(opened.error());
+    recorded = std::move(*opened);
+  }
+  const auto recipe = recorded && !o.recipeGiven ? recorded->recipe() : findRecipe(o.recipe);
   if (!recipe) return fail(recipe.error());
-  auto input = openInput(o, *recipe);
+  auto input = openInput(o, *recipe, recorded ? &*recorded : nullptr);
   if (!input) return fail(input.error());
   const RigCalibration& calibration = input->calibration;
   const CalibrationAge age =
@@ -392,12 +457,27 @@ int inspect(const Options& o) {
   if (!archive) return fail(archive.error());
 
   InspectionOutcome outcome;
+  auto& source = input->source;
   std::optional<Progress> progress(std::in_place, o.quiet, "inspecting");
-  const double expected = std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
+  const double expected =
+      recorded ? recorded->triggers() : std::max(1.0, o.rails * std::floor(1000 * o.lengthM / o.spacingMm));
   Collector collected(*recipe, calibration, warning, input->rig, std::move(csv), *progress, expected);
+  InspectionObserver observer = collected.observer();
+  std::shared_ptr<FrameRecorder> recorder;
+  if (!o.record.empty()) {
+    recorder = std::make_shared<FrameRecorder>(FrameRecorderSettings{.live = source->live()});
+    RecordedSetup setup{VIGNOLE_VERSION, stripeSimdTarget(), o.source, {}, o.recordOptions.whole, *recipe, calibration};
+    setup.origin = recorded ? (recorded->setup() ? recorded->setup()->origin : std::string()) : originOf(o);
+    if (recorded && recorded->setup()) setup.source = recorded->setup()->source;
+    if (auto started = recorder->start(recordingOrder(o.recordOptions, o.record, std::move(setup))); !started)
+      return fail(started.error());
+    source = tapped(std::move(source), recorder);
+    observer = tapped(std::move(observer), recorder);
+    collected.tell(recorder);
+  }
   {
     const auto start = Clock::now();
-    Inspection inspection(*input->source, *recipe, calibration, collected.observer());
+    Inspection inspection(*source, *recipe, calibration, std::move(observer));
     const StopSwitch::Connection connection(stopSwitch, inspection);
     if (*archive) collected.writeInto(std::move(*archive), inspection);
     inspection.start();
@@ -410,6 +490,7 @@ int inspect(const Options& o) {
     outcome.triggers = inspection.triggers();
     outcome.stages = inspection.stages();
   }
+  const auto kept = recorder ? recorder->stop() : Expected<void>();
   progress.reset();
   const auto archived = collected.closeArchive();
   outcome.rails = collected.rails;
@@ -427,8 +508,10 @@ int inspect(const Options& o) {
     outcome.line = input->cameras->counts();
     outcome.reception = receptionCost();
   }
+  if (recorder) outcome.recorded = recorder->state();
   if (const auto written = writeResults(o, *recipe, collected, outcome); !written) return fail(written.error());
   if (!archived) return fail(archived.error());
+  if (!kept) return fail(kept.error());
   return judge(o, collected, outcome);
 }
 
@@ -447,9 +530,12 @@ void addInspect(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"virtual", "gige", "recording"}))
       ->capture_default_str();
   command->add_option("--recording", o->recording, "recording to measure (with --source recording)");
-  command->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]")->capture_default_str();
+  const auto* recipe =
+      command
+          ->add_option("--recipe", o->recipe, "recipe: name, file, or SECTION [CLASS/CLASS]; of a recording: its own")
+          ->capture_default_str();
   command->add_option("--calibration", o->calibration,
-                      "calibration file; default: the site's, or the virtual rig's exact one");
+                      "calibration file; default: the site's, the virtual rig's exact one, a recording's own");
   const auto* rails = command->add_option("--rails", o->rails, "rails to measure")
                           ->check(CLI::Range(1, 1000000))
                           ->capture_default_str();
@@ -474,14 +560,15 @@ void addInspect(CLI::App& app, int& exitCode) {
   command->add_option("--deviation", o->deviations, "DIM=MM: constant deviation of a dimension (repeatable)");
   command->add_option("--fault", o->faults, "KIND[=VALUE][@CAMERA][:FROM-TO] (repeatable)");
   command->add_option("--archive", o->archive, "file (or sqlite:FILE) of the archive to store the rails in");
-  command->add_option("--record", o->record, "file to record the frames in");
+  addRecordOptions(*command, o->record, o->recordOptions);
   command->add_option("--report", o->reports, "FILE.pdf or FILE.png (repeatable)");
   command->add_option("--csv", o->csv, "file: one row a profile");
   command->add_option("--json", o->json, "file, or - for stdout");
   command->add_option("--seconds", o->seconds, "stop after that time")->check(CLI::Range(0.0, 1e9));
   command->add_flag("--paced", o->paced, "in real time, as a live source");
   command->add_flag("--quiet", o->quiet, "no progress on the terminal");
-  command->callback([o, rails, length, spacing, &exitCode] {
+  command->callback([o, recipe, rails, length, spacing, &exitCode] {
+    o->recipeGiven = recipe->count() > 0;
     o->railsGiven = rails->count() > 0;
     o->lengthGiven = length->count() > 0;
     o->spacingGiven = spacing->count() > 0;

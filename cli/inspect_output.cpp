@@ -98,6 +98,14 @@ Json toJson(const DriftIndicators& drift, const std::optional<std::uint64_t>& fi
           {"cameras", cameras}};
 }
 
+Json toJson(const RecorderState& r) {
+  return {{"path", r.path.string()},       {"mb", r.megabytes},
+          {"triggers", r.triggers},        {"frames", r.frames},
+          {"whole_frames", r.wholeFrames}, {"dropped_triggers", r.dropped},
+          {"kept_share", r.keptShare},     {"cpu_ms_per_frame", r.packCpuMs},
+          {"files_kept", r.filesKept},     {"files_discarded", r.filesDiscarded}};
+}
+
 double rateOf(const InspectionOutcome& outcome) {
   return outcome.wallS > 0 ? static_cast<double>(outcome.profiles) / outcome.wallS : 0;
 }
@@ -220,6 +228,7 @@ nlohmann::ordered_json toJson(const InspectionOutcome& outcome) {
   json["effects"] = Json::object();
   for (const auto& [effect, value] : outcome.effects) json["effects"][effect] = value;
   if (outcome.accuracy != nullptr) json["truth"] = toJson(*outcome.accuracy);
+  if (outcome.recorded) json["recorded"] = toJson(*outcome.recorded);
   if (!outcome.cameras.empty()) {
     json["cameras"] = Json::array();
     for (const CameraReport& camera : outcome.cameras) json["cameras"].push_back(cli::toJson(camera));
@@ -261,6 +270,10 @@ std::string toTable(const InspectionOutcome& outcome) {
   text += toTable(outcome.cameras);
   for (const CameraDrift& c : outcome.drift.cameras)
     if (c.alarm) text += "Drift: " + c.words + "\n";
+  if (const auto& r = outcome.recorded)
+    text += format("Recorded: %.1f MB, %llu triggers, %.1f %% of the pixels, %llu dropped, in %s\n", r->megabytes,
+                   static_cast<unsigned long long>(r->triggers), 100 * r->keptShare,
+                   static_cast<unsigned long long>(r->dropped), r->path.string().c_str());
   text += format("%.1f profiles/s, %.2f s, calibration %s (%s)\n", rateOf(outcome), outcome.wallS,
                  outcome.calibration.id.c_str(), outcome.calibration.method.c_str());
   return text;

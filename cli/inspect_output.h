@@ -14,6 +14,7 @@
 #include "engine/inspection/inspection.h"
 #include "engine/inspection/rail_summary.h"
 #include "engine/optics/calibration_age.h"
+#include "engine/recording/frame_recorder.h"
 
 namespace vignole::cli {
 
@@ -35,6 +36,7 @@ struct InspectionOutcome {
   std::optional<std::uint64_t> firstDriftRail;  ///< the rail, from 1, after which a camera was first said to have moved
   std::vector<std::pair<std::string, double>> effects;  ///< empty unless the source is the virtual rig
   const Accuracy* accuracy = nullptr;                   ///< null without truth
+  std::optional<RecorderState> recorded;                ///< what was recorded meanwhile
   std::vector<CameraReport> cameras;                    ///< empty unless the source are cameras
   TriggerLineCounts line;                               ///< of the cameras
   ReceptionCost reception;                              ///< of the cameras' frames

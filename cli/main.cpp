@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   vignole::cli::addCalibrate(app, exitCode);
   vignole::cli::addStudy(app, exitCode);
   vignole::cli::addArchive(app, exitCode);
+  vignole::cli::addRecording(app, exitCode);
   vignole::cli::addSite(app, exitCode);
   vignole::cli::addBench(app, exitCode);
   try {

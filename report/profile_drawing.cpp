@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "report/dimension_text.h"
 #include "report/drawing_frame.h"
@@ -71,9 +73,11 @@ class ProfilePainter {
     painter_.setClipRect(frame_.area, Qt::IntersectClip);
     painter_.setRenderHint(QPainter::Antialiasing);
     paintSteel();
-    paintTolerances();
+    if (!drawing_.beforeRegistration) paintTolerances();
     paintModel();
-    if (hasProfile()) {
+    if (hasProfile() && drawing_.beforeRegistration) {
+      paintCloud();
+    } else if (hasProfile()) {
       paintWhiskers();
       paintMeasured();
       if (drawing_.byCamera) paintPoints();
@@ -133,6 +137,8 @@ class ProfilePainter {
   void paintWhiskers();
   void paintMeasured();
   void paintPoints();
+  void paintCloud();
+  [[nodiscard]] Callout movedCallout() const;
   void paintTexts();
   [[nodiscard]] std::vector<Run> runs() const;
   [[nodiscard]] const ToleranceShare* toleranceAt(const OutlineBin& bin) const;
@@ -390,6 +396,39 @@ std::optional<Callout> ProfilePainter::unseenCallout() const {
   return callout;
 }
 
+void ProfilePainter::paintCloud() {
+  const Transform2 sectionFromWorld = drawing_.registration->worldFromSection.inverse();
+  const double half = 0.9 * std::max(1.0, scale_);
+  QList<QRectF> before, after;
+  for (const ProfilePoint& p : drawing_.profile->points) {
+    const Point2 seen(p.x, p.y);
+    for (auto& [dots, at] :
+         {std::pair{&before, frame_.map(seen)}, std::pair{&after, frame_.map(sectionFromWorld * seen)}})
+      if (frame_.area.contains(at)) *dots << QRectF(at.x() - half, at.y() - half, 2 * half, 2 * half);
+  }
+  painter_.setPen(Qt::NoPen);
+  painter_.setBrush(palette_.camera[1]);
+  painter_.drawRects(before);
+  painter_.setBrush(drawing_.held ? palette_.t3 : palette_.t1);
+  painter_.drawRects(after);
+}
+
+/// How far the rail lay from where the section is drawn.
+Callout ProfilePainter::movedCallout() const {
+  const Transform2& pose = drawing_.registration->worldFromSection;
+  const int decimals = decimalsIn(drawing_.unit, 2);
+  const auto length = [&](double mm) { return deviationText(inUnit(mm, drawing_.unit), decimals); };
+  Callout moved;
+  moved.title = Drawing::tr("Before registration");
+  moved.detail = Drawing::tr("across %1, up %2 %3, turned %4°")
+                     .arg(length(pose.xMm), length(pose.yMm), QString::fromLatin1(unitName(drawing_.unit)),
+                          deviationText(pose.angleRad * 180 / std::numbers::pi, 2));
+  moved.ink = palette_.camera[1];
+  moved.ground = palette_.panel;
+  moved.wishedY = frame_.area.center().y();
+  return moved;
+}
+
 void ProfilePainter::paintTexts() {
   FreeSpace space = spaceAroundRail();
   ProfileCallouts callouts(painter_, frame_, palette_, scale_, space);
@@ -414,7 +453,10 @@ void ProfilePainter::paintTexts() {
     lost.wishedY = frame_.area.center().y();
     callouts.paint(lost);
   }
-  callouts.paintDimensions(drawing_);
+  if (hasProfile() && drawing_.beforeRegistration)
+    callouts.paint(movedCallout());
+  else
+    callouts.paintDimensions(drawing_);
   if (hasProfile())
     if (const auto unseen = unseenCallout()) callouts.paint(*unseen);
   callouts.finish();

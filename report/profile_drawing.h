@@ -26,6 +26,7 @@ struct ProfileDrawing {
   double magnification = 20;  ///< of deviations, 1 .. 100
   ProfileView view = ProfileView::Whole;
   bool byCamera = false;
+  bool beforeRegistration = false;  ///< the points as the cameras saw them, and where registration brought them (Fig. 3)
   bool held = false;                                ///< the source stopped: grey
   std::string heldNote;                             ///< "last profile at 23.18 m, 2 min ago"; below the word Held
   const DimensionParameters* parameters = nullptr;  ///< where the dimensions are taken; null: the defaults

@@ -42,6 +42,11 @@ class LegendPainter {
     paintBars();
     x_ = area_.left();
     paintItem(modelText(), [this](const QRectF& s) { line(s, QPen(l_.palette.model, 1.5)); });
+    if (l_.drawing.beforeRegistration) {
+      paintItem(Drawing::tr("As seen"), [this](const QRectF& s) { line(s, QPen(l_.palette.camera[1], 2)); });
+      paintItem(Drawing::tr("Registered"), [this](const QRectF& s) { line(s, QPen(l_.palette.t1, 2)); });
+      return;
+    }
     if (l_.drawing.byCamera)
       for (int camera = 0; camera < 4; ++camera) paintCamera(camera);
     else

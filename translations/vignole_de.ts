@@ -164,7 +164,7 @@
         <translation>Das Archiv antwortet nicht.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>Schienen werden gemessen; ihre Aufzeichnungen warten auf der Platte dieses Rechners.</translation>
     </message>
     <message>
@@ -643,6 +643,22 @@
     <message>
         <source>mm at 15 °C</source>
         <translation>mm bei 15 °C</translation>
+    </message>
+    <message>
+        <source>Before registration</source>
+        <translation>Vor dem Einpassen</translation>
+    </message>
+    <message>
+        <source>across %1, up %2 %3, turned %4°</source>
+        <translation>quer %1, hoch %2 %3, gedreht %4°</translation>
+    </message>
+    <message>
+        <source>As seen</source>
+        <translation>Wie gesehen</translation>
+    </message>
+    <message>
+        <source>Registered</source>
+        <translation>Eingepasst</translation>
     </message>
 </context>
 <context>
@@ -2062,7 +2078,7 @@
         <translation>Kalibrierungen werden nicht aufbewahrt: %1. Programm mit einem Archiv starten (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>Kalibrieren ist Sache des Technikers: als Techniker oder Qualität anmelden (Optionen, F10).</translation>
     </message>
     <message>
@@ -3003,7 +3019,7 @@ Kameras: %4</translation>
         <translation>Einer der Drehgeber rutscht. Weiter: Räder reinigen, andrücken und erneut fahren.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>Ein Impuls entspricht %1 µm Schiene. Weiter: dort eintragen, wo die Impulse des Drehgebers in Trigger geteilt werden.</translation>
     </message>
 </context>
@@ -3442,7 +3458,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Ist diese Schiene gut?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>Das große Wort ist das bisherige Urteil über die Schiene; daneben steht, ob der Messanlage zu trauen ist. Beides ist aus zwei Metern lesbar.</translation>
     </message>
     <message>
@@ -3584,6 +3600,14 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>no value</source>
         <translation>kein Wert</translation>
     </message>
+    <message>
+        <source>Show the points before registration</source>
+        <translation>Punkte vor dem Einpassen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the points before registration (B)</source>
+        <translation>Punkte vor dem Einpassen zeigen (B)</translation>
+    </message>
 </context>
 <context>
     <name>vignole::NextRailDialog</name>
@@ -3659,7 +3683,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Personen</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>Namen und Rollen verwaltet der Administrator: als Administrator anmelden, um Personen zu sehen und einzutragen.</translation>
     </message>
     <message>
@@ -4201,7 +4225,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Zuerst die Linie stoppen (Strg+R): beide brauchen alle Prozessoren.</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>Der Versuch des Aufsatzes: eine Schiene, fünf Prüfungen, die Wahrheit bekannt.</translation>
     </message>
     <message>
@@ -4665,6 +4689,14 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>furthest beyond a limit, mm</source>
         <translation>am weitesten jenseits einer Grenze, mm</translation>
     </message>
+    <message>
+        <source>Dimension that is drawn</source>
+        <translation>Gezeichnetes Maß</translation>
+    </message>
+    <message>
+        <source>Show the points before registration</source>
+        <translation>Punkte vor dem Einpassen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>vignole::RateChart</name>
@@ -5094,6 +5126,25 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
     <message>
         <source>Profile of the stored rail</source>
         <translation>Messprofil der gespeicherten Schiene</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigDrawing</name>
+    <message>
+        <source>The rig as it is calibrated</source>
+        <translation>Die Anlage, wie sie kalibriert ist</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Along the rail: fields of view on the light plane, distances</source>
+        <translation>Entlang der Schiene: Sichtfelder auf der Lichtebene, Abstände</translation>
+    </message>
+    <message>
+        <source>From the side: angles out of the light plane</source>
+        <translation>Von der Seite: Winkel zur Lichtebene</translation>
     </message>
 </context>
 <context>
@@ -5750,6 +5801,26 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>Show the tour of Monitor</source>
         <translation>Rundgang durch den Monitor zeigen</translation>
     </message>
+    <message>
+        <source>Rig</source>
+        <translation>Anlage</translation>
+    </message>
+    <message>
+        <source>drawn from the calibration in force</source>
+        <translation>nach der gültigen Kalibrierung gezeichnet</translation>
+    </message>
+    <message>
+        <source>This line does not tell its calibration.</source>
+        <translation>Diese Linie nennt ihre Kalibrierung nicht.</translation>
+    </message>
+    <message>
+        <source>Calibration %1. The rail stands where it was seen last.</source>
+        <translation>Kalibrierung %1. Die Schiene steht, wo sie zuletzt gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Calibration %1. No rail has been seen yet.</source>
+        <translation>Kalibrierung %1. Noch wurde keine Schiene gesehen.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5782,7 +5853,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Niemand kann sich anmelden: Personen stehen im Archiv, und es gibt keines (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>Nach einer Viertelstunde ohne Taste oder Berührung ist es wieder der Bildschirm des Bedieners.</translation>
     </message>
     <message>
@@ -5790,7 +5861,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Noch ist niemand eingetragen. Der Erste ist Administrator und trägt die anderen ein; das Passwort hat mindestens 8 Zeichen.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>Ohne Anmeldung ist dies der Bildschirm des Bedieners: er misst, zeigt und quittiert.</translation>
     </message>
     <message>
@@ -6108,7 +6179,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Gesperrt, solange die Linie misst: die Platte steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Jede Kombination der Stufen ist eine Kalibrierung nach der Methode des Aufsatzes an Bildern der Platte. Stufen werden durch Kommas getrennt; eine oder keine Stufe: die Einstellung wird nicht verändert.</translation>
     </message>
     <message>
@@ -6344,7 +6415,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Grund der Änderung</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>Die Belichtung dieser Kameras lässt sich von hier nicht ändern.</translation>
     </message>
     <message>

@@ -164,7 +164,7 @@
         <translation>档案库无响应。</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>钢轨仍在测量；记录暂存于本机磁盘。</translation>
     </message>
     <message>
@@ -643,6 +643,22 @@
     <message>
         <source>mm at 15 °C</source>
         <translation>mm，15 °C</translation>
+    </message>
+    <message>
+        <source>Before registration</source>
+        <translation>配准前</translation>
+    </message>
+    <message>
+        <source>across %1, up %2 %3, turned %4°</source>
+        <translation>横向 %1，向上 %2 %3，转动 %4°</translation>
+    </message>
+    <message>
+        <source>As seen</source>
+        <translation>所见</translation>
+    </message>
+    <message>
+        <source>Registered</source>
+        <translation>已配准</translation>
     </message>
 </context>
 <context>
@@ -2055,7 +2071,7 @@
         <translation>标定未保存：%1。请带档案库启动程序（--archive FILE）。</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>标定由技术员进行：请以技术员或质检登录（设置，F10）。</translation>
     </message>
     <message>
@@ -2990,7 +3006,7 @@ Cameras: %4</source>
         <translation>有一个编码器打滑。下一步：清洁测轮，压紧后重新驱动。</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>一个脉冲对应钢轨 %1 µm。下一步：在编码器脉冲分频为触发的位置输入该值。</translation>
     </message>
 </context>
@@ -3426,7 +3442,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>这根钢轨合格吗？</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>大字为钢轨至今的判定；旁边显示测量仪是否可信。两者在两米外均可辨认。</translation>
     </message>
     <message>
@@ -3568,6 +3584,14 @@ Target: %1, points within ±%2 µm.</source>
         <source>no value</source>
         <translation>无值</translation>
     </message>
+    <message>
+        <source>Show the points before registration</source>
+        <translation>显示配准前的点</translation>
+    </message>
+    <message>
+        <source>Show the points before registration (B)</source>
+        <translation>显示配准前的点 (B)</translation>
+    </message>
 </context>
 <context>
     <name>vignole::NextRailDialog</name>
@@ -3643,7 +3667,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>人员</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>姓名和角色由管理员管理：以管理员登录以查看和登记人员。</translation>
     </message>
     <message>
@@ -4183,7 +4207,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>请先停止产线（Ctrl+R）：两者都需要全部处理器。</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>论文的试验：一根钢轨，五次检测，真值已知。</translation>
     </message>
     <message>
@@ -4646,6 +4670,14 @@ Target: %1, points within ±%2 µm.</source>
         <source>furthest beyond a limit, mm</source>
         <translation>超限最多，mm</translation>
     </message>
+    <message>
+        <source>Dimension that is drawn</source>
+        <translation>所绘尺寸</translation>
+    </message>
+    <message>
+        <source>Show the points before registration</source>
+        <translation>显示配准前的点</translation>
+    </message>
 </context>
 <context>
     <name>vignole::RateChart</name>
@@ -5073,6 +5105,25 @@ Target: %1, points within ±%2 µm.</source>
     <message>
         <source>Profile of the stored rail</source>
         <translation>已存钢轨的轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::RigDrawing</name>
+    <message>
+        <source>The rig as it is calibrated</source>
+        <translation>标定后的装置</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Along the rail: fields of view on the light plane, distances</source>
+        <translation>沿钢轨方向：光平面上的视场、距离</translation>
+    </message>
+    <message>
+        <source>From the side: angles out of the light plane</source>
+        <translation>侧视：与光平面的夹角</translation>
     </message>
 </context>
 <context>
@@ -5726,6 +5777,26 @@ Target: %1, points within ±%2 µm.</source>
         <source>Show the tour of Monitor</source>
         <translation>显示“监视”导览</translation>
     </message>
+    <message>
+        <source>Rig</source>
+        <translation>装置</translation>
+    </message>
+    <message>
+        <source>drawn from the calibration in force</source>
+        <translation>按现行标定绘制</translation>
+    </message>
+    <message>
+        <source>This line does not tell its calibration.</source>
+        <translation>该产线未告知其标定。</translation>
+    </message>
+    <message>
+        <source>Calibration %1. The rail stands where it was seen last.</source>
+        <translation>标定 %1。钢轨位于最近一次所见之处。</translation>
+    </message>
+    <message>
+        <source>Calibration %1. No rail has been seen yet.</source>
+        <translation>标定 %1。尚未见到钢轨。</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5758,7 +5829,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>无法登录：人员保存在档案库中，但没有档案库（%1）。</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>一刻钟无按键或触摸后，屏幕恢复为操作员。</translation>
     </message>
     <message>
@@ -5766,7 +5837,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>尚无人员登记。第一位为管理员，由其登记他人；密码至少 8 个字符。</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>未登录时为操作员屏幕：可测量、查看和确认。</translation>
     </message>
     <message>
@@ -6083,7 +6154,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>产线测量时关闭：销钉板位于钢轨通过之处。停止产线后继续。</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>各水平的每种组合都是按论文方法对销钉板图像进行的一次标定。水平以逗号分隔；一个或没有水平：该设置不变化。</translation>
     </message>
     <message>
@@ -6319,7 +6390,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>更改原因</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>这些相机的曝光不能在此更改。</translation>
     </message>
     <message>

@@ -36,6 +36,7 @@ struct RailBegin {
   double speedMmPerS = 0;  ///< 0: not known
   double temperatureC = 20;
   double temperatureUncertaintyC = 1;
+  double beginsAtMm = 0;  ///< where on the rail the first trigger lies: not its head if only a part of it comes
 };
 
 /// All triggers of the rail up to `endTrigger` (exclusive) have been issued. Sent by every camera's stream.

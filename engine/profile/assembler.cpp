@@ -254,7 +254,7 @@ void ProfileAssembler::settle(std::uint64_t trigger, Pending& pending, Assembly&
 void ProfileAssembler::join(std::uint64_t trigger, Pending& pending, Profile& profile) const {
   const RailBegin& rail = *rails_.front().begin;
   profile.trigger = trigger;
-  profile.positionMm = static_cast<double>(trigger - rail.firstTrigger) * rail.spacingMm;
+  profile.positionMm = rail.beginsAtMm + static_cast<double>(trigger - rail.firstTrigger) * rail.spacingMm;
   profile.points.clear();
   profile.lineEnds.clear();
   double correlated = 0;

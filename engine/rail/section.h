@@ -65,6 +65,8 @@ struct Section {
 
 /// The JSON form (resources/rails/*.json). `where` of an error names file, line or primitive and field.
 [[nodiscard]] Expected<Section> loadSection(const std::filesystem::path& file);
+/// The same from a text, as toJson() writes it.
+[[nodiscard]] Expected<Section> parseSection(const std::string& text, const std::string& nameInErrors);
 [[nodiscard]] std::string toJson(const Section& section);
 
 }  // namespace vignole

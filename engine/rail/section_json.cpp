@@ -287,21 +287,25 @@ Json toJson(const DimensionParameters& p) {
 Expected<Section> loadSection(const std::filesystem::path& file) {
   const auto text = readFile(file);
   if (!text) return tl::unexpected(text.error());
+  return parseSection(*text, file.string());
+}
+
+Expected<Section> parseSection(const std::string& text, const std::string& nameInErrors) {
   Json json;
   try {
-    json = Json::parse(*text);
+    json = Json::parse(text);
   } catch (const Json::parse_error& e) {
-    const bool truncated = e.byte > text->size();
-    return inputError(file.string() + position(*text, e.byte), truncated ? "ends in the middle; the file is incomplete"
+    const bool truncated = e.byte > text.size();
+    return inputError(nameInErrors + position(text, e.byte), truncated ? "ends in the middle; the file is incomplete"
                                                                          : "is not JSON; a section file is expected");
   } catch (const Json::exception&) {  // a number beyond the range of double
-    return inputError(file.string(), "has a number that is too large");
+    return inputError(nameInErrors, "has a number that is too large");
   }
   std::optional<Error> error;
-  Section section = readSection(json, file.string(), error);
+  Section section = readSection(json, nameInErrors, error);
   if (error) return tl::unexpected(*error);
   auto created = createSection(std::move(section));
-  if (!created) return inputError(file.string() + ": " + created.error().where, created.error().what);
+  if (!created) return inputError(nameInErrors + ": " + created.error().where, created.error().what);
   if (!json.contains("format")) created->parameters = usualParameters(*created);
   return created;
 }

@@ -78,32 +78,42 @@ Expected<void> checkParameters(const Section& section, const DimensionParameters
 
 }  // namespace
 
-Expected<Recipe> makeRecipe(std::string_view section, std::string_view profileClass,
-                            std::string_view straightnessClass) {
-  auto found = findSection(section);
-  if (!found) return tl::unexpected(found.error());
-  auto limits = toleranceLimits(*found, profileClass, straightnessClass);
-  if (!limits) return tl::unexpected(limits.error());
-  if (auto good = checkParameters(*found, found->parameters); !good) return tl::unexpected(good.error());
+namespace {
 
-  const std::vector<std::string> catalogue = catalogueNames();
-  const bool inCatalogue = std::find(catalogue.begin(), catalogue.end(), found->name) != catalogue.end() &&
-                           !isFileName(section, ".json") && section.find('/') == std::string_view::npos;
+Expected<Recipe> recipeOf(Section found, std::string sectionSource, std::string_view profileClass,
+                          std::string_view straightnessClass) {
+  auto limits = toleranceLimits(found, profileClass, straightnessClass);
+  if (!limits) return tl::unexpected(limits.error());
+  if (auto good = checkParameters(found, found.parameters); !good) return tl::unexpected(good.error());
   Recipe recipe;
-  recipe.name = found->name + " " + std::string(profileClass) + "/" + std::string(straightnessClass);
+  recipe.name = found.name + " " + std::string(profileClass) + "/" + std::string(straightnessClass);
   recipe.note = toleranceNote();
-  recipe.sectionSource = inCatalogue ? found->name : fs::absolute(fs::path(section)).string();
-  recipe.parameters = found->parameters;
-  recipe.section = std::move(*found);
+  recipe.sectionSource = std::move(sectionSource);
+  recipe.parameters = found.parameters;
+  recipe.section = std::move(found);
   recipe.profileClass = profileClass;
   recipe.straightnessClass = straightnessClass;
   recipe.limits = *limits;
   return recipe;
 }
 
+}  // namespace
+
+Expected<Recipe> makeRecipe(std::string_view section, std::string_view profileClass,
+                            std::string_view straightnessClass) {
+  auto found = findSection(section);
+  if (!found) return tl::unexpected(found.error());
+  const std::vector<std::string> catalogue = catalogueNames();
+  const bool inCatalogue = std::find(catalogue.begin(), catalogue.end(), found->name) != catalogue.end() &&
+                           !isFileName(section, ".json") && section.find('/') == std::string_view::npos;
+  std::string source = inCatalogue ? found->name : fs::absolute(fs::path(section)).string();
+  return recipeOf(std::move(*found), std::move(source), profileClass, straightnessClass);
+}
+
 namespace {
 
-Expected<Recipe> readRecipe(Expected<TomlReader> file, const fs::path& path) {
+/// `given`: not the section that the file names.
+Expected<Recipe> readRecipe(Expected<TomlReader> file, const fs::path& path, std::optional<Section> given = {}) {
   if (!file) return tl::unexpected(file.error());
   const std::string section = file->text("section");
   const std::string profileClass = file->text("profile_class", "X");
@@ -113,7 +123,8 @@ Expected<Recipe> readRecipe(Expected<TomlReader> file, const fs::path& path) {
     return tl::unexpected(file->finish().error());
   }
 
-  auto made = makeRecipe(sectionOf(section, path), profileClass, straightnessClass);
+  auto made = given ? recipeOf(std::move(*given), section, profileClass, straightnessClass)
+                    : makeRecipe(sectionOf(section, path), profileClass, straightnessClass);
   if (!made) {
     const std::string reason = made.error().message();
     const bool profile = reason.starts_with("profile class"), straightness = reason.starts_with("straightness class");
@@ -143,6 +154,10 @@ Expected<Recipe> loadRecipe(const fs::path& path) { return readRecipe(TomlReader
 
 Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors) {
   return readRecipe(TomlReader::parse(text, nameInErrors), {});
+}
+
+Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors, Section section) {
+  return readRecipe(TomlReader::parse(text, nameInErrors), {}, std::move(section));
 }
 
 std::vector<std::string> recipeNames() {

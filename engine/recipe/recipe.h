@@ -42,6 +42,8 @@ struct Recipe {
 [[nodiscard]] Expected<Recipe> loadRecipe(const std::filesystem::path& file);
 /// The same from a text; section files must be named by absolute paths, as toToml() does.
 [[nodiscard]] Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors);
+/// The same with the section as it was, whatever the text names and whether that is still there.
+[[nodiscard]] Expected<Recipe> parseRecipe(std::string_view text, const std::string& nameInErrors, Section section);
 /// A path, or a name of resources/recipes, or "SECTION" / "SECTION CLASS/CLASS" ("60E1", "60E1 X/A").
 [[nodiscard]] Expected<Recipe> findRecipe(std::string_view nameOrFile);
 /// Names of resources/recipes, sorted.

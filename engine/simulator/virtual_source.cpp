@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "engine/acquisition/frame_memory.h"
+#include "engine/acquisition/frame_pool.h"
 #include "engine/simulator/hashing.h"
 #include "engine/simulator/virtual_rig.h"
 
@@ -17,36 +17,6 @@ namespace {
 
 using simulator::Stream;
 using Clock = std::chrono::steady_clock;
-
-/// Buffers of one camera. Leases hold the pool, so a frame may outlive the source.
-class BufferPool : public std::enable_shared_from_this<BufferPool> {
- public:
-  BufferPool(std::size_t buffers, std::size_t bytes) : bytes_(bytes), free_(buffers) {}
-
-  /// Waits until one is free, at most until `until`; null if it is not or if stopped.
-  std::shared_ptr<std::uint8_t[]> take(const std::stop_token& stop, std::optional<Clock::time_point> until) {
-    std::unique_lock lock(mutex_);
-    const auto ready = [&] { return !free_.empty(); };
-    const bool got = until ? returned_.wait_until(lock, stop, *until, ready) : returned_.wait(lock, stop, ready);
-    if (!got) return nullptr;
-    FrameMemory buffer = std::move(free_.back());
-    free_.pop_back();
-    lock.unlock();
-    // Made when first needed: a run that never falls behind needs few.
-    if (!buffer) buffer = makeFrameMemory(bytes_);
-    return {buffer.release(), [pool = shared_from_this()](std::uint8_t* back) {
-              const std::lock_guard guard(pool->mutex_);
-              pool->free_.emplace_back(back);
-              pool->returned_.notify_one();
-            }};
-  }
-
- private:
-  std::size_t bytes_;
-  std::mutex mutex_;
-  std::condition_variable_any returned_;
-  std::vector<FrameMemory> free_;
-};
 
 class VirtualSource final : public FrameSource {
  public:
@@ -58,8 +28,8 @@ class VirtualSource final : public FrameSource {
     for (std::size_t i = 0; i < kCameraCount; ++i) {
       const Intrinsics& in = rig_->calibration().rangeFinders[i].intrinsics;
       streams_[i].pool =
-          std::make_shared<BufferPool>(std::max<std::size_t>(1, settings.buffers),
-                                       static_cast<std::size_t>(in.widthPx) * static_cast<std::size_t>(in.heightPx));
+          std::make_shared<FramePool>(std::max<std::size_t>(1, settings.buffers),
+                                      static_cast<std::size_t>(in.widthPx) * static_cast<std::size_t>(in.heightPx));
     }
   }
 
@@ -92,7 +62,7 @@ class VirtualSource final : public FrameSource {
 
  private:
   struct Stream_ {  // NOLINT: Stream is the kind of random numbers
-    std::shared_ptr<BufferPool> pool;
+    std::shared_ptr<FramePool> pool;
     int rail = 0;
     bool begun = false;
     std::uint64_t trigger = 0;

@@ -43,6 +43,25 @@ double expectedMinimum(double n) {
 
 }  // namespace
 
+int scanRadius(double sigma) { return std::clamp(static_cast<int>(std::ceil((4.5 * sigma + 4) / kBlock)), 2, 5); }
+
+NoiseSampling noiseSampling(int wholeRows) {
+  const int every = wholeRows >= 8 * kNoiseSampling ? kNoiseSampling : 1;
+  return {every / 2, every};
+}
+
+double minimumBias(const BlockScanSettings& settings, float noiseDn) {
+  const double side = 2.0 * settings.radius + 1;
+  return expectedMinimum(side * side) * noiseDn / std::sqrt(static_cast<double>(kSummed));
+}
+
+std::uint16_t blockFloor(const BlockScanSettings& settings, float noiseDn) {
+  const double blockNoiseDn = noiseDn / std::sqrt(static_cast<double>(kSummed));
+  const double thresholdDn = static_cast<float>(minimumBias(settings, noiseDn)) +
+                             std::max(settings.leastContrast, settings.noiseFactor * blockNoiseDn);
+  return static_cast<std::uint16_t>(std::min(65535.0, thresholdDn * kPixels));
+}
+
 std::size_t BlockScan::offset(int row) const { return (static_cast<std::size_t>(row) + 1) * pitch_ + kGridMargin; }
 
 float BlockScan::backgroundAt(int x, int y) const {
@@ -62,6 +81,7 @@ void BlockScan::resize(const ImageView& image) {
   for (Grid* grid : {&rowMinima_, &background_, &excess_}) grid->assign(size, 0);
   words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
   marks_.assign(words_ * static_cast<std::size_t>(rows_), 0);
+  bright_.assign(words_ * (static_cast<std::size_t>(rows_) + 2), 0);
   histogram_.assign(1U << 14U, 0);
   const std::size_t blocks = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   differences_.reserve(blocks);
@@ -89,9 +109,10 @@ void BlockScan::sample() {
   differences_.clear();
   sampled_.clear();
   sampledRow_.assign(static_cast<std::size_t>(rows_), 0);
-  const int wholeRows = height_ / kBlock, sampling = wholeRows >= 8 * kNoiseSampling ? kNoiseSampling : 1;
+  const int wholeRows = height_ / kBlock;
+  const NoiseSampling sampling = noiseSampling(wholeRows);
   const auto whole = static_cast<std::size_t>(width_ / kBlock);
-  for (int r = sampling / 2; r < wholeRows; r += sampling) {
+  for (int r = sampling.first; r < wholeRows; r += sampling.every) {
     sumRow(r);
     sampledRow_[static_cast<std::size_t>(r)] = 1;
     differences_.resize(differences_.size() + whole);
@@ -103,10 +124,12 @@ void BlockScan::sample() {
 
 void BlockScan::measureNoise() {
   // E|a - b| = 2 sigma / sqrt(pi) for two normal numbers; a median over blocks because the stripe is in few of them.
-  const float meanDifference = static_cast<float>(medianByCounting(differences_, 32 * 255 + 1, histogram_)) / 32;
+  medianDifference_ = medianByCounting(differences_, 32 * 255 + 1, histogram_);
+  const float meanDifference = static_cast<float>(medianDifference_) / 32;
   noiseDn_ = std::max(kRoundingDn, meanDifference * std::sqrt(std::numbers::pi_v<float>) / 2);
   for (std::uint16_t& s : sampled_) s = static_cast<std::uint16_t>(s >> 2U);
-  backgroundDn_ = static_cast<float>(medianByCounting(sampled_, kSummed * 255 / 4 + 1, histogram_)) * 4 / kPixels;
+  medianSum_ = medianByCounting(sampled_, kSummed * 255 / 4 + 1, histogram_);
+  backgroundDn_ = static_cast<float>(medianSum_) * 4 / kPixels;
 }
 
 void BlockScan::findBackground(int r) {
@@ -129,22 +152,37 @@ void BlockScan::begin(const ImageView& image, const BlockScanSettings& settings)
   resize(image);
   sample();
   measureNoise();
-  const double blockNoiseDn = noiseDn_ / std::sqrt(static_cast<double>(kSummed));
-  const double window = (2.0 * settings.radius + 1) * (2.0 * settings.radius + 1);
-  minimumBiasDn_ = static_cast<float>(expectedMinimum(window) * blockNoiseDn);
-  const double thresholdDn = minimumBiasDn_ + std::max(settings.leastContrast, settings.noiseFactor * blockNoiseDn);
-  floor_ = static_cast<std::uint16_t>(std::min(65535.0, thresholdDn * kPixels));
+  minimumBiasDn_ = static_cast<float>(minimumBias(settings, noiseDn_));
+  floor_ = blockFloor(settings, noiseDn_);
   candidates_ = 0;
-  summed_ = bordered_ = 0;
+  summed_ = bordered_ = lit_ = 0;
   runs_.clear();
   beginOfRow_.assign(1, 0);
 }
 
-void BlockScan::settle(int row) {
+void BlockScan::mark(int row) {
   for (; bordered_ <= std::min(rows_ - 1, row + 1); ++bordered_) findBackground(bordered_);
+  markBlocks(at(excess_, row), static_cast<std::ptrdiff_t>(pitch_), floor_, static_cast<std::size_t>(columns_),
+             bright_.data() + (static_cast<std::size_t>(row) + 1) * words_);
+}
+
+void BlockScan::dropLonely(int row) {
+  const std::uint64_t* above = bright_.data() + static_cast<std::size_t>(row) * words_;
+  const std::uint64_t *own = above + words_, *below = own + words_;
   std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(row) * words_;
-  markBlocks(at(excess_, row), static_cast<std::ptrdiff_t>(pitch_), floor_, static_cast<std::size_t>(columns_), marks);
-  for (std::size_t w = 0; w < words_; ++w) candidates_ += static_cast<std::size_t>(std::popcount(marks[w]));
+  for (std::size_t w = 0; w < words_; ++w) {
+    const auto beside = [&](const std::uint64_t* bits) {
+      const std::uint64_t before = w == 0 ? 0 : bits[w - 1], behind = w + 1 == words_ ? 0 : bits[w + 1];
+      return bits[w] << 1U | before >> 63U | bits[w] >> 1U | behind << 63U;
+    };
+    marks[w] = own[w] & (beside(above) | above[w] | beside(own) | beside(below) | below[w]);
+    candidates_ += static_cast<std::size_t>(std::popcount(marks[w]));
+  }
+}
+
+void BlockScan::settle(int row) {
+  for (; lit_ <= std::min(rows_ - 1, row + 1); ++lit_) mark(lit_);
+  dropLonely(row);
   collectRuns(row);
   for (std::size_t i = beginOfRow_.back(); i < runs_.size(); ++i) askFor(runs_[i]);
   beginOfRow_.push_back(runs_.size());

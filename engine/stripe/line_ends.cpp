@@ -84,8 +84,10 @@ bool LineEnds::measure(const ImageView& image, const RidgeFilter& filter, float 
   return true;
 }
 
-/// Goes on from the last of traced_.
-void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, const Trusted& trusted) {
+/// Goes on from the last of traced_; not further from the light that the scan saw than reachPx() allows.
+void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges,
+                      const Trusted& trusted) {
+  const int room = reachPx(filter) - filter.radius - 1;
   const float least = std::max(filter.leastRidge, kEdgeShare * trusted.ridge);
   const auto steps = static_cast<int>(2 * kUntouched * sigma_);
   for (int step = 0; step < steps; ++step) {
@@ -102,6 +104,7 @@ void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, const T
       y += 0.5F * ty;
     }
     if (x < 0 || y < 0 || x > static_cast<float>(image.width - 1) || y > static_cast<float>(image.height - 1)) return;
+    if (!ridges.litWithin(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), room)) return;
     RidgePoint next;
     if (!measure(image, filter, x, y, -ty, tx, next) || next.ridge < least) return;
     const float ex = next.x - last.x, ey = next.y - last.y;
@@ -110,15 +113,15 @@ void LineEnds::follow(const ImageView& image, const RidgeFilter& filter, const T
   }
 }
 
-bool LineEnds::retraceEnd(const ImageView& image, const RidgeFilter& filter, const Outwards& points, Trusted& trusted,
-                          std::vector<RidgePoint>& tail) {
+bool LineEnds::retraceEnd(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges,
+                          const Outwards& points, Trusted& trusted, std::vector<RidgePoint>& tail) {
   trusted = trustedPart(points);
   const std::size_t start = back(points, trusted.last, kLeastPart * sigma_);
   if (distance(points[start], points[trusted.last]) < kLeastPart * sigma_) return false;
   traced_.clear();
   for (std::size_t i = start; i <= trusted.last; ++i) traced_.push_back(points[i]);
   const std::size_t known = traced_.size();
-  follow(image, filter, trusted);
+  follow(image, filter, ridges, trusted);
   tail.assign(traced_.begin() + static_cast<std::ptrdiff_t>(known), traced_.end());
   return true;
 }
@@ -137,8 +140,8 @@ void LineEnds::retrace(const ImageView& image, const RidgeFilter& filter, const 
     const std::span<const std::uint32_t> order = lines.order(piece);
     const std::size_t last = order.size() - 1;
     Trusted atHead, atStop;
-    const bool retraced = retraceEnd(image, filter, {all, order, true}, atHead, head_) &&
-                          retraceEnd(image, filter, {all, order, false}, atStop, stop_) &&
+    const bool retraced = retraceEnd(image, filter, ridges, {all, order, true}, atHead, head_) &&
+                          retraceEnd(image, filter, ridges, {all, order, false}, atStop, stop_) &&
                           last - atHead.last <= atStop.last;
     const auto first = static_cast<std::uint32_t>(points_.size);
     if (!retraced) {

@@ -31,9 +31,9 @@ class LineEnds {
   };
   [[nodiscard]] Trusted trustedPart(const Outwards& points) const;
   /// Fills `tail` with the points behind the trusted ones; false: the end stays as it is.
-  bool retraceEnd(const ImageView& image, const RidgeFilter& filter, const Outwards& points, Trusted& trusted,
-                  std::vector<RidgePoint>& tail);
-  void follow(const ImageView& image, const RidgeFilter& filter, const Trusted& trusted);
+  bool retraceEnd(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges, const Outwards& points,
+                  Trusted& trusted, std::vector<RidgePoint>& tail);
+  void follow(const ImageView& image, const RidgeFilter& filter, const RidgePoints& ridges, const Trusted& trusted);
   [[nodiscard]] bool measure(const ImageView& image, const RidgeFilter& filter, float x, float y, float nx, float ny,
                              RidgePoint& point);
 

@@ -2,6 +2,7 @@
 // Steger's test of every pixel in a band of eight rows: smoothed by a Gaussian, its quadratic polynomial by 3 x 3
 // differences, the line's direction and its offset from the pixel's centre (paper section II-D, steps 1 and 2).
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,10 @@ struct RidgeFilter {
   float leastRidge = 0;      ///< smallest second derivative across the line, negated, DN/px^2
 };
 [[nodiscard]] RidgeFilter ridgeFilter(double sigma, double leastRidge);
+
+/// No pixel further away from a block with light, along a row or a column, decides anything: two blocks, or as far as
+/// the filter reaches from two pixels beside it.
+[[nodiscard]] constexpr int reachPx(const RidgeFilter& filter) { return std::max(16, filter.radius + 3); }
 
 /// One pixel through which a bright line passes, by value.
 struct RidgePoint {

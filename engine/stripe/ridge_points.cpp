@@ -16,6 +16,15 @@ int RidgePoints::indexAt(int column, int row) const {
          1;
 }
 
+bool RidgePoints::litWithin(int column, int row, int px) const {
+  const int left = std::max(0, column - px) / kBlock, right = std::min(image_.width - 1, column + px) / kBlock;
+  const int top = std::max(0, row - px) / kBlock, bottom = std::min(image_.height - 1, row + px) / kBlock;
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x)
+      if (mapOfBlock_[static_cast<std::size_t>((y + 1) * (columns_ + 2) + x + 1)] != 0) return true;
+  return false;
+}
+
 // Into the map of its own block, and into those of the blocks that border on its pixel.
 void RidgePoints::enter(std::size_t i) {
   const int column = columnOf(points_.pixel[i]), row = rowOf(points_.pixel[i]);

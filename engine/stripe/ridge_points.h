@@ -25,6 +25,8 @@ class RidgePoints {
   void finish(std::span<const BlockRun> runs);
 
   [[nodiscard]] const RidgeArrays& points() const { return points_; }
+  /// Whether a block that was worked on lies at most `px` (along a row or a column) from this pixel.
+  [[nodiscard]] bool litWithin(int column, int row, int px) const;
   /// Index of the point whose pixel this is, or -1.
   [[nodiscard]] int indexAt(int column, int row) const;
 

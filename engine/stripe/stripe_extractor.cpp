@@ -114,8 +114,7 @@ struct StripeExtractor::Impl {
 
 StripeExtractor::Impl::Impl(const StripeSettings& s, const StripeOptics& o)
     : settings(s), optics(o), filter(ridgeFilter(s.sigma, 0)) {
-  // Light reaches 3 sd of the stripe to both sides; the background is looked for beyond that.
-  scanSettings.radius = std::clamp(static_cast<int>(std::ceil((4.5 * s.sigma + 4) / kBlock)), 2, 5);
+  scanSettings.radius = scanRadius(s.sigma);
   // A line of contrast t_l that runs along the border of two blocks raises the mean of each by at least 0.4 t_l.
   scanSettings.leastContrast = 0.4 * s.low;
   scanSettings.maxBlocks = s.maxBlocks;

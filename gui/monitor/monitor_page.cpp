@@ -78,7 +78,8 @@ MonitorPage::MonitorPage(const Theme& theme, const Units& units, const Recipe& r
   frame->setContentsMargins(1, 1, 1, 1);
   frame->addWidget(table_);
   lastRails_ = new LastRails(theme, this);
-  QWidget::setTabOrder(byCamera_, full_);
+  QWidget::setTabOrder(byCamera_, before_);
+  QWidget::setTabOrder(before_, full_);
   QWidget::setTabOrder(full_, run_);
   QWidget::setTabOrder(run_, table_);
   setFocusPolicy(Qt::ClickFocus);  // a press on no control takes the focus ring off the last one
@@ -134,6 +135,12 @@ QWidget* MonitorPage::makeToolbar() {
   byCamera_->setFont(uiFont(16, 500));
   connect(byCamera_, &QPushButton::toggled, this, [this](bool on) { canvas_->setByCamera(on); });
   row->addWidget(byCamera_);
+  before_ = new QPushButton(bar);
+  before_->setCheckable(true);
+  before_->setFixedWidth(52);
+  before_->setIconSize({20, 20});
+  connect(before_, &QPushButton::toggled, this, [this](bool on) { canvas_->setBeforeRegistration(on); });
+  row->addWidget(before_);
   row->addStretch(1);
   full_ = new QPushButton(bar);
   full_->setCheckable(true);
@@ -249,6 +256,8 @@ void MonitorPage::retranslate() {
   more_->setToolTip(tr("Magnify deviations more (+)"));
   byCamera_->setAccessibleName(tr("Colour points by camera"));
   byCamera_->setToolTip(tr("Colour points by camera (C)"));
+  before_->setAccessibleName(tr("Show the points before registration"));
+  before_->setToolTip(tr("Show the points before registration (B)"));
   full_->setAccessibleName(tr("Drawing in full view"));
   full_->setToolTip(tr("Drawing in full view (F11)"));
   table_->retranslate();
@@ -260,12 +269,14 @@ void MonitorPage::retranslate() {
 void MonitorPage::relabel() {
   const QString run = running_ ? tr("Stop line") : tr("Start line");
   run_->setText(compact_ ? QString() : run);
+  before_->setVisible(!compact_);  // its key remains
   byCamera_->setText(compact_ ? QString() : tr("By camera"));
   run_->setAccessibleName(run);
   run_->setToolTip(tr("%1 (Ctrl+R)").arg(run));
   const QColor ink = theme_.palette().t1;
   run_->setIcon(theme_.icon(running_ ? QStringLiteral("pause") : QStringLiteral("play"), 20, ink, devicePixelRatioF()));
   byCamera_->setIcon(compact_ ? QIcon(theme_.icon(QStringLiteral("camera"), 20, ink, devicePixelRatioF())) : QIcon());
+  before_->setIcon(theme_.icon(QStringLiteral("compare"), 20, ink, devicePixelRatioF()));
   full_->setIcon(theme_.icon(QStringLiteral("fit"), 20, ink, devicePixelRatioF()));
   less_->setIcon(theme_.icon(QStringLiteral("minus"), 20, ink, devicePixelRatioF()));
   more_->setIcon(theme_.icon(QStringLiteral("add"), 20, ink, devicePixelRatioF()));
@@ -291,6 +302,7 @@ void MonitorPage::bindKeys() {
   bind(Qt::Key_Minus, [this] { magnifyLess(); });
   bind(Qt::Key_0, [this] { resetMagnification(); });
   bind(Qt::Key_C, [this] { setByCamera(!byCamera()); });
+  bind(Qt::Key_B, [this] { before_->toggle(); });
   bind(Qt::Key_F11, [this] { setFullView(!fullView_); });
   bind(Qt::Key_Escape, [this] { back(); });
 }

@@ -80,7 +80,7 @@ class MonitorPage : public Page {
   QFrame* tablePanel_;
   QWidget* toolbar_;
   QButtonGroup* views_;
-  QPushButton *less_, *more_, *byCamera_, *full_, *run_;
+  QPushButton *less_, *more_, *byCamera_, *before_, *full_, *run_;
   QLabel* magnificationLabel_;
   ProfileCanvas* canvas_;
   std::array<StripChart*, 2> strips_;

@@ -59,6 +59,11 @@ void ProfileCanvas::setByCamera(bool byCamera) {
   update();
 }
 
+void ProfileCanvas::setBeforeRegistration(bool before) {
+  drawing_.beforeRegistration = before;
+  update();
+}
+
 void ProfileCanvas::setSelected(std::optional<Dimension> dimension) {
   if (drawing_.selected == dimension) return;
   drawing_.selected = dimension;

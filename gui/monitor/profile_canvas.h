@@ -22,6 +22,7 @@ class ProfileCanvas : public QWidget {
   void setView(ProfileView view);
   void setMagnification(double magnification);
   void setByCamera(bool byCamera);
+  void setBeforeRegistration(bool before);
   void setUnit(LengthUnit unit);
   void retranslate();
   void setSelected(std::optional<Dimension> dimension);

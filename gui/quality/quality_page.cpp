@@ -81,7 +81,7 @@ QualityPage::QualityPage(Workplace& place, QWidget* parent)
   table_->verticalHeader()->setMinimumSectionSize(kLeastRow);
   table_->setMinimumHeight(kLeastRow * static_cast<int>(kDimensionCount) + 34);
   tablePanel_->content()->addWidget(table_, 1);
-  tablePanel_->setMinimumHeight(table_->minimumHeight() + 58);
+  tablePanel_->setMinimumHeight(table_->minimumHeight() + 60);
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
     const int row = table_->currentRow();
     if (row >= 0) choose(kDimensions[static_cast<std::size_t>(row)]);

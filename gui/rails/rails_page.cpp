@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/rail/catalogue.h"
 #include "gui/bridge/archive_reader.h"
@@ -207,10 +208,21 @@ QWidget* RailsPage::makeReplay() {
   connect(railBand_, &RailBand::positionAsked, this, &RailsPage::goTo);
   for (QPushButton* b : {back_, playButton_, forward_}) {
     b->setFixedWidth(52);
+    drawn_ = new QComboBox(scrub_);
+    drawn_->setFont(uiFont(16));
+    for (int i = 0; i <= static_cast<int>(kDimensionCount); ++i) drawn_->addItem(QString());
+    before_ = makeButton(place_.theme, QStringLiteral("compare"), scrub_);
+    before_->setCheckable(true);
+    connect(drawn_, &QComboBox::activated, this, [this] {
+      if (shown_) showProfile(StoredProfile(*shown_));
+    });
+    connect(before_, &QPushButton::toggled, canvas_, &ReplayCanvas::setBeforeRegistration);
     scrubRow->addWidget(b);
   }
   scrubRow->addWidget(positionLabel_);
   scrubRow->addWidget(railBand_, 1);
+  scrubRow->addWidget(drawn_);
+  scrubRow->addWidget(before_);
   scrub_->content()->addLayout(scrubRow);
   column->addWidget(scrub_);
 
@@ -261,6 +273,12 @@ void RailsPage::bindKeys() {
 
 void RailsPage::retranslate() {
   list_->setTitle(tr("Rails"));
+  drawn_->setItemText(0, tr("Worst"));
+  for (std::size_t i = 0; i < kDimensionCount; ++i)
+    drawn_->setItemText(static_cast<int>(i) + 1, spoken(kDimensions[i]));
+  drawn_->setAccessibleName(tr("Dimension that is drawn"));
+  before_->setAccessibleName(tr("Show the points before registration"));
+  before_->setToolTip(tr("Show the points before registration"));
   text_->setPlaceholderText(tr("Rail or heat, from its beginning"));
   text_->setAccessibleName(tr("Search by rail or heat"));
   const int verdict = std::max(0, verdict_->currentIndex()), dimension = std::max(0, dimension_->currentIndex());
@@ -597,7 +615,8 @@ void RailsPage::showProfile(const StoredProfile& profile) {
     note += tr("; drawn is no. %1, the nearest whose points were kept").arg(count(profile.drawnNumber + 1));
   drawing_->setNote(note);
   std::optional<Dimension> selected;
-  double worst = 0;
+  if (const int row = drawn_->currentIndex(); row > 0) selected = kDimensions[static_cast<std::size_t>(row - 1)];
+  double worst = selected ? std::numeric_limits<double>::infinity() : 0;
   for (const Dimension d : kDimensions)
     if (const auto excess = excessMm(d, profile.record.dimensions[index(d)]); excess && *excess > worst) {
       worst = *excess;

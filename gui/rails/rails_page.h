@@ -87,10 +87,10 @@ class RailsPage : public Page {
 
   Panel *list_, *drawing_, *along_, *scrub_, *exceptions_;
   QLineEdit* text_;
-  QComboBox *verdict_, *dimension_, *period_, *section_;
+  QComboBox *verdict_, *dimension_, *period_, *section_, *drawn_;
   QTableWidget *table_, *exceptionTable_;
   QLabel *empty_, *writer_, *band_, *positionLabel_, *valueNote_;
-  QPushButton *whatIf_, *nextRail_, *clear_, *report_, *export_, *back_, *live_, *playButton_, *forward_;
+  QPushButton *whatIf_, *nextRail_, *clear_, *report_, *export_, *back_, *live_, *playButton_, *forward_, *before_;
   NextRailDialog* nextRailDialog_ = nullptr;  ///< made when it is first asked for
   WhatIfDialog* whatIfDialog_ = nullptr;      ///< the same
   ReplayCanvas* canvas_;

@@ -21,7 +21,9 @@ void ReplayCanvas::show(std::shared_ptr<const OpenedRail> rail, std::shared_ptr<
                         std::optional<Dimension> selected) {
   rail_ = std::move(rail);
   profile_ = std::move(profile);
+  const bool before = drawing_.beforeRegistration;
   drawing_ = {};
+  drawing_.beforeRegistration = before;
   if (rail_ && rail_->recipe) {
     drawing_.section = &rail_->recipe->section;
     drawing_.limits = &rail_->recipe->limits;
@@ -34,6 +36,11 @@ void ReplayCanvas::show(std::shared_ptr<const OpenedRail> rail, std::shared_ptr<
   }
   drawing_.selected = selected;
   message_.clear();
+  update();
+}
+
+void ReplayCanvas::setBeforeRegistration(bool before) {
+  drawing_.beforeRegistration = before;
   update();
 }
 

@@ -17,6 +17,7 @@ class ReplayCanvas : public QWidget {
   explicit ReplayCanvas(const Theme& theme, QWidget* parent = nullptr);
   void show(std::shared_ptr<const OpenedRail> rail, std::shared_ptr<const ProfileResult> profile,
             std::optional<Dimension> selected);
+  void setBeforeRegistration(bool before);
   void setMessage(const QString& message);  ///< in place of a drawing
   [[nodiscard]] const ProfileDrawing& drawing() const { return drawing_; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {260, 200}; }

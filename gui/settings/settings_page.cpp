@@ -15,6 +15,7 @@
 #include "gui/languages/languages.h"
 #include "gui/settings/audit_panel.h"
 #include "gui/settings/people_panel.h"
+#include "gui/settings/rig_drawing.h"
 #include "gui/settings/sign_in_panel.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
@@ -44,8 +45,14 @@ SettingsPage::SettingsPage(Workplace& place, QWidget* parent)
   screen_ = makeScreen();
   archive_ = makeText(archiveWords_);
   cameras_ = makeText(cameraWords_);
+  rig_ = new Panel(this);
+  rigDrawing_ = new RigDrawing(place.theme, place.units, rig_);
+  rigWords_ = makeLabel(15, 400, "t2", rig_, true);
+  rig_->content()->addWidget(rigDrawing_, 1);
+  rig_->content()->addWidget(rigWords_);
   about_ = makeText(aboutWords_);
-  for (Panel* form : std::initializer_list<Panel*>{screen_, signIn_, people_, archive_, audit_, cameras_, about_}) {
+  for (Panel* form :
+       std::initializer_list<Panel*>{screen_, signIn_, people_, archive_, audit_, cameras_, rig_, about_}) {
     forms_->addWidget(form);
     groups_->addItem(QString());
     groups_->item(groups_->count() - 1)->setSizeHint({100, 52});
@@ -109,7 +116,7 @@ void SettingsPage::retranslate() {
   groupsPanel_->setTitle(tr("Settings"));
   groups_->setAccessibleName(tr("Groups of settings"));
   const QString groups[] = {tr("Screen"),      tr("Who is here"), tr("People"), tr("Archive"),
-                            tr("Audit trail"), tr("Cameras"),     tr("About")};
+                            tr("Audit trail"), tr("Cameras"),     tr("Rig"),    tr("About")};
   for (int i = 0; i < groups_->count(); ++i) groups_->item(i)->setText(groups[i]);
   screen_->setTitle(tr("Screen"));
   screen_->setNote(tr("of this machine; kept for the next start"));
@@ -130,6 +137,8 @@ void SettingsPage::retranslate() {
   cameraWords_->setText(
       tr("No site is configured: the four cameras are those of the virtual rig, and every page says "
          "SIMULATION. Cameras with GigE Vision are not part of this version."));
+  rig_->setTitle(tr("Rig"));
+  rig_->setNote(tr("drawn from the calibration in force"));
   about_->setTitle(tr("About"));
   aboutWords_->setText(tr("Vignole %1: rail profiles in millimetres, with their uncertainty. Licence GPL-3.0-or-later.")
                            .arg(QCoreApplication::applicationVersion()));
@@ -153,7 +162,20 @@ void SettingsPage::showEvent(QShowEvent* event) {
   loadArchive();
 }
 
-void SettingsPage::showLine(const LineSnapshot& /*line*/, PullDetail /*detail*/) {}
+void SettingsPage::showLine(const LineSnapshot& line, PullDetail detail) {
+  if (detail != PullDetail::Everything || !rigDrawing_->isVisible()) return;
+  const RigCalibration calibration = place_.line.calibration();
+  if (calibration.id.empty()) {
+    rigWords_->setText(tr("This line does not tell its calibration."));
+    return;
+  }
+  const bool seen = line.latest && line.latest->registration.valid;
+  rigDrawing_->show(calibration, line.recipe->section,
+                    seen ? line.latest->registration.worldFromSection : Transform2{});
+  rigWords_->setText(
+      seen ? tr("Calibration %1. The rail stands where it was seen last.").arg(QString::fromStdString(calibration.id))
+           : tr("Calibration %1. No rail has been seen yet.").arg(QString::fromStdString(calibration.id)));
+}
 
 void SettingsPage::showGroup(Group group) { groups_->setCurrentRow(static_cast<int>(group)); }
 

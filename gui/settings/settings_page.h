@@ -20,13 +20,14 @@ class ArchiveReader;
 class AuditPanel;
 class Panel;
 class PeoplePanel;
+class RigDrawing;
 class SignInPanel;
 
 class SettingsPage : public Page {
   Q_OBJECT
 
  public:
-  enum class Group { Screen, WhoIsHere, People, Archive, Audit, Cameras, About };
+  enum class Group { Screen, WhoIsHere, People, Archive, Audit, Cameras, Rig, About };
 
   explicit SettingsPage(Workplace& place, QWidget* parent = nullptr);
   ~SettingsPage() override;
@@ -53,7 +54,9 @@ class SettingsPage : public Page {
   Panel* groupsPanel_;
   QListWidget* groups_;
   QStackedWidget* forms_;
-  Panel *screen_, *archive_, *cameras_, *about_;
+  RigDrawing* rigDrawing_;
+  QLabel* rigWords_;
+  Panel *screen_, *archive_, *cameras_, *rig_, *about_;
   SignInPanel* signIn_;
   PeoplePanel* people_;
   AuditPanel* audit_;

@@ -97,9 +97,7 @@ TEST(InspectCommand, ARailOutOfToleranceEndsWithOne) {
 
 TEST(InspectCommand, WhatCannotBeIsRefusedInOneLine) {
   expectOneLineError(run({"inspect", "--source", "gige"}), 2, "--source virtual");
-  expectOneLineError(run({"inspect", "--source", "recording", "--recording", "x"}), 2, "recording");
   expectOneLineError(run({"inspect", "--archive", "postgresql://mill/rails"}), 2, "SQLite");
-  expectOneLineError(run({"inspect", "--record", "x"}), 2, "--record");
   expectOneLineError(run({"inspect", "--address", "127.0.0.11"}), 2, "--address");
   expectOneLineError(run({"inspect", "--source", "film"}), 2, "--source");
   expectOneLineError(run({"inspect", "--recipe", "61E9"}), 2, "61E9");

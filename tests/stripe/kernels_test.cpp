@@ -94,6 +94,30 @@ TEST(BlockScan, MarksTheBlocksOfTheLineAndFewOthers) {
   });
 }
 
+TEST(BlockScan, ABlockAloneIsNoLineTwoSideBySideMayBe) {
+  std::vector<std::uint8_t> pixels(640 * 480, 20);
+  const auto light = [&](int column, int row) {
+    for (int y = 0; y < kBlock; ++y)
+      std::fill_n(pixels.begin() + (row * kBlock + y) * 640 + column * kBlock, kBlock, std::uint8_t{90});
+  };
+  light(20, 20);
+  light(0, 0);
+  light(79, 59);
+  light(40, 30);
+  light(41, 31);
+  onEveryTarget([&] {
+    BlockScan scan;
+    scan.begin({pixels.data(), 640, 480, 640}, {});
+    for (int row = 0; row < scan.rows(); ++row) scan.settle(row);
+    ASSERT_EQ(scan.candidates(), 2U) << stripeSimdTarget();
+    ASSERT_EQ(scan.runs().size(), 2U);
+    EXPECT_EQ(scan.runs()[0].row, 30);
+    EXPECT_EQ(scan.runs()[0].first, 40);
+    EXPECT_EQ(scan.runs()[1].row, 31);
+    EXPECT_EQ(scan.runs()[1].first, 41);
+  });
+}
+
 TEST(Extraction, EveryTargetFindsTheSamePoints) {
   const synthetic::StripeScene scene = synthetic::stripeScene("rail", 2);
   StripeResult first;
