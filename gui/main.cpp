@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <malloc.h>
 #include <unistd.h>
 
 #include "gui/bridge/calibration_in_force.h"
@@ -191,6 +192,10 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Profiles are made by one thread and let go of by another: with an arena a thread the heap spreads to twice its
+  // size.
+  mallopt(M_ARENA_MAX, 4);
+  mallopt(M_MMAP_THRESHOLD, 256 * 1024);
   const OptionsOutcome outcome = readOptions(argc, argv, VIGNOLE_VERSION);
   if (!outcome.options) {
     std::fputs(outcome.text.c_str(), outcome.exitCode == 0 ? stdout : stderr);
