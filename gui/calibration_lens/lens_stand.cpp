@@ -46,7 +46,7 @@ double rmsBetween(const TargetView& a, const TargetView& b) {
 
 }  // namespace
 
-Extrinsics extrinsicsOf(const TargetPose& pose, const PlanarTarget& target) {
+Extrinsics extrinsicsOf(const HeldTarget& pose, const PlanarTarget& target) {
   Extrinsics result;
   result.rotation = (Eigen::AngleAxisd(pose.turnDeg * kDegree, Eigen::Vector3d::UnitZ()) *
                      Eigen::AngleAxisd(pose.tiltYDeg * kDegree, Eigen::Vector3d::UnitY()) *
@@ -56,10 +56,10 @@ Extrinsics extrinsicsOf(const TargetPose& pose, const PlanarTarget& target) {
   return result;
 }
 
-TargetPose poseOf(const Extrinsics& cameraFromTarget, const PlanarTarget& target) {
+HeldTarget poseOf(const Extrinsics& cameraFromTarget, const PlanarTarget& target) {
   const Eigen::Matrix3d& r = cameraFromTarget.rotation;
   const Eigen::Vector3d at = r * middleOf(target) + cameraFromTarget.translationMm;
-  TargetPose pose{at.x(), at.y(), at.z(), 0, 0, 0};
+  HeldTarget pose{at.x(), at.y(), at.z(), 0, 0, 0};
   pose.tiltYDeg = std::asin(std::clamp(-r(2, 0), -1.0, 1.0)) / kDegree;
   pose.tiltXDeg = std::atan2(r(2, 1), r(2, 2)) / kDegree;
   pose.turnDeg = std::atan2(r(1, 0), r(0, 0)) / kDegree;
@@ -70,7 +70,7 @@ RangeFinderCalibration virtualCamera(std::uint64_t rigSeed, int camera) {
   return simulator::drawRig(rigSeed).calibration.rangeFinders[static_cast<std::size_t>(camera)];
 }
 
-Expected<LensSight> lookAtTarget(const LensStandSettings& settings, const TargetPose& pose, int take,
+Expected<LensSight> lookAtTarget(const LensStandSettings& settings, const HeldTarget& pose, int take,
                                  const std::vector<TargetView>& taken) {
   VirtualTargetSettings how;
   how.target = settings.target;

@@ -14,15 +14,15 @@
 namespace vignole {
 
 /// Of the target's middle in the camera's frame (right, down, away), and its tilts and turn.
-struct TargetPose {
+struct HeldTarget {
   double xMm = 0, yMm = 0, zMm = 400;
   double tiltXDeg = 0, tiltYDeg = 0, turnDeg = 0;
 };
-[[nodiscard]] Extrinsics extrinsicsOf(const TargetPose& pose, const PlanarTarget& target);
-[[nodiscard]] TargetPose poseOf(const Extrinsics& cameraFromTarget, const PlanarTarget& target);
+[[nodiscard]] Extrinsics extrinsicsOf(const HeldTarget& pose, const PlanarTarget& target);
+[[nodiscard]] HeldTarget poseOf(const Extrinsics& cameraFromTarget, const PlanarTarget& target);
 
 struct LensSight {
-  TargetPose pose;
+  HeldTarget pose;
   Picture picture;
   TargetView view;  ///< its refusal says why the picture is of no use
   int sameAs = 0;   ///< number of a picture taken before that shows the same pose; 0: none
@@ -39,12 +39,12 @@ struct LensStandSettings {
 [[nodiscard]] RangeFinderCalibration virtualCamera(std::uint64_t rigSeed, int camera);
 
 /// `taken`: views before, `take` draws the noise. For any thread.
-[[nodiscard]] Expected<LensSight> lookAtTarget(const LensStandSettings& settings, const TargetPose& pose, int take,
+[[nodiscard]] Expected<LensSight> lookAtTarget(const LensStandSettings& settings, const HeldTarget& pose, int take,
                                                const std::vector<TargetView>& taken);
 
 /// Where to hold the target next, by what is known so far.
 struct NextView {
-  TargetPose pose;
+  HeldTarget pose;
   std::vector<Point2> outlinePx;
   std::string words;
 };

@@ -31,7 +31,7 @@ namespace vignole {
 namespace {
 
 constexpr int kFewestForAdvice = 4;
-constexpr TargetPose kAtFirst{40, 30, 560, 0, 0, 3};  // as somebody holds it up
+constexpr HeldTarget kAtFirst{40, 30, 560, 0, 0, 3};  // as somebody holds it up
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -366,12 +366,12 @@ void LensWizard::go(Stage stage) {
   }
 }
 
-TargetPose LensWizard::handPose() const {
+HeldTarget LensWizard::handPose() const {
   return {spins_[0]->value(), spins_[1]->value(), spins_[2]->value(),
           spins_[3]->value(), spins_[4]->value(), spins_[5]->value()};
 }
 
-void LensWizard::setPose(const TargetPose& pose) {
+void LensWizard::setPose(const HeldTarget& pose) {
   const std::array<double, 6> values = {pose.xMm, pose.yMm, pose.zMm, pose.tiltXDeg, pose.tiltYDeg, pose.turnDeg};
   for (std::size_t i = 0; i < spins_.size(); ++i) {
     const QSignalBlocker quiet(spins_[i]);

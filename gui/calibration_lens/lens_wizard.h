@@ -66,8 +66,8 @@ class LensWizard : public QWidget {
   void solve();
   void use();
   void save();
-  void setPose(const TargetPose& pose);
-  [[nodiscard]] TargetPose handPose() const;
+  void setPose(const HeldTarget& pose);
+  [[nodiscard]] HeldTarget handPose() const;
   [[nodiscard]] int camera() const;
   void showAll();
   void showSentence();

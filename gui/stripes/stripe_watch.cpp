@@ -56,7 +56,7 @@ void StripeWatch::showTrigger(std::uint64_t trigger, PictureAgain again) {
 void StripeWatch::setInUse(const StripeSettings& settings) {
   order([&](Orders& o) { o.inUse = settings; });
 }
-void StripeWatch::setTrial(const std::optional<TrialSettings>& settings, PictureAgain again) {
+void StripeWatch::setTrial(const std::optional<LineTrial>& settings, PictureAgain again) {
   order([&](Orders& o) {
     o.trial = settings;
     if (again) o.again = std::move(again);

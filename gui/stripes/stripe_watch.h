@@ -20,7 +20,7 @@
 
 namespace vignole {
 
-struct TrialSettings {
+struct LineTrial {
   StripeSettings stripe;  ///< checked()
   double exposureMs = 0;  ///< 0: as the picture was taken
 };
@@ -40,7 +40,7 @@ class StripeWatch {
   void showTrigger(std::uint64_t trigger, PictureAgain again);
   void setInUse(const StripeSettings& settings);
   /// Another exposure needs `again`.
-  void setTrial(const std::optional<TrialSettings>& settings, PictureAgain again = {});
+  void setTrial(const std::optional<LineTrial>& settings, PictureAgain again = {});
   void setViewSize(int camera, const QSize& pixels);
   /// Where the light plane can be seen, px.
   [[nodiscard]] QPolygonF field(int camera) const;
@@ -55,7 +55,7 @@ class StripeWatch {
     bool looking = false, frozen = false;
     std::optional<std::uint64_t> trigger;  ///< to be shown
     StripeSettings inUse;
-    std::optional<TrialSettings> trial;
+    std::optional<LineTrial> trial;
     PictureAgain again;
     std::array<QSize, kCameraCount> sizes;
   };

@@ -219,7 +219,7 @@ void StripesPage::startTrial() {
   if (differs && !frozen_) setFrozen(true);
   if (!watch_) return;
   if (differs)
-    watch_->setTrial(TrialSettings{*fine, trial_->exposureOnTrial().value_or(0)}, place_.line.pictureAgain());
+    watch_->setTrial(LineTrial{*fine, trial_->exposureOnTrial().value_or(0)}, place_.line.pictureAgain());
   else
     watch_->setTrial({});
 }

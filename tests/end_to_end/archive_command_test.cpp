@@ -168,15 +168,17 @@ TEST(ArchiveCommand, WhatCannotBeIsRefusedInOneLine) {
                                                      {"archive", "export", archive, "1"},
                                                      {"archive", "export", archive, "1", "--points", "3", "--csv", "-"},
                                                      {"archive", "backup", archive, archive},
-                                                     {"archive", "verify"},
-                                                     {"archive", "list", "postgresql://user:secret@mill/rails"}};
+                                                     {"archive", "verify"}};
   for (const auto& arguments : bad) {
     const auto result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_EQ(result.err.find("secret"), std::string::npos);
     EXPECT_TRUE(result.out.empty());
   }
+  const auto away = run({"archive", "list", "postgresql://user:secret@127.0.0.1:1/rails"});
+  EXPECT_EQ(away.exitCode, 3) << away.err;
+  EXPECT_EQ(std::count(away.err.begin(), away.err.end(), '\n'), 1) << away.err;
+  EXPECT_EQ(away.err.find("secret"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder.file("missing.db")));
 }
 

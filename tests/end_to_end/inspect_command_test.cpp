@@ -96,8 +96,8 @@ TEST(InspectCommand, ARailOutOfToleranceEndsWithOne) {
 }
 
 TEST(InspectCommand, WhatCannotBeIsRefusedInOneLine) {
-  expectOneLineError(run({"inspect", "--source", "gige"}), 2, "--source virtual");
-  expectOneLineError(run({"inspect", "--archive", "postgresql://mill/rails"}), 2, "SQLite");
+  expectOneLineError(run({"inspect", "--source", "gige", "--site", "/nowhere/site.toml"}), 2, "/nowhere/site.toml");
+  expectOneLineError(run({"inspect", "--archive", "postgresql://127.0.0.1:1/rails"}), 3, "cannot be reached");
   expectOneLineError(run({"inspect", "--address", "127.0.0.11"}), 2, "--address");
   expectOneLineError(run({"inspect", "--source", "film"}), 2, "--source");
   expectOneLineError(run({"inspect", "--recipe", "61E9"}), 2, "61E9");
