@@ -188,6 +188,17 @@ void ProfilePainter::chooseView() {
                                            std::max(40.0, frame_.area.height()) / (to - from + top + bottom)));
   frame_.centreMm = Point2(0.5 * (left + right), 0.5 * (from - bottom + to + top));
 
+  if (drawing_.beforeRegistration && hasProfile()) {
+    // The rail may have lain anywhere: both clouds have room.
+    Point2 low(left, 0), high(right, height);
+    for (const ProfilePoint& p : drawing_.profile->points) {
+      low = low.cwiseMin(Point2(p.x, p.y));
+      high = high.cwiseMax(Point2(p.x, p.y));
+    }
+    const Point2 extent = high - low + Point2(16, 10);
+    frame_.pxPerMm = std::max(0.05, std::min(across / extent.x(), std::max(40.0, frame_.area.height()) / extent.y()));
+    frame_.centreMm = 0.5 * (low + high);
+  }
   closedOutline_.reserve(static_cast<qsizetype>(outline_.bins().size()));
   for (const OutlineBin& b : outline_.bins()) closedOutline_ << frame_.map(b.point);
 }

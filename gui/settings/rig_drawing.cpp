@@ -160,23 +160,25 @@ void RigDrawing::paintView(QPainter& painter, const View& view, const QString& t
     painter.restore();
     painter.setPen(p.t1);
     painter.setFont(uiFont(15, 500));
-    const bool left = way.x() < 0, up = way.y() < 0;
-    const QString name = tr("Camera %1").arg(c + 1);
-    const bool inch = units_.length() == Units::Length::Inch;
-    const QString figures = across
-                                ? QStringLiteral("%1 %2").arg(
-                                      locale().toString(inch ? s.distanceMm / 25.4 : s.distanceMm, 'f', inch ? 1 : 0),
-                                      inch ? QStringLiteral("in") : QStringLiteral("mm"))
-                                : QStringLiteral("%1°").arg(locale().toString(std::abs(s.elevationDeg), 'f', 1));
-    const double y = from.y() + (up ? -44 : 12);
-    QRectF box(left ? from.x() - 130 : from.x() - 20, y, 150, 18);
-    // From the side two cameras stand behind each other: the farther is told on the line below.
-    if (!across && s.centre.x() > 0) box.translate(left ? -96 : 96, 0);
-    const int align = left ? Qt::AlignRight : Qt::AlignLeft;
-    painter.drawText(box, align | Qt::AlignVCenter, name);
+    const bool left = from.x() < view.area.center().x(), up = way.y() < 0;
+    const int align = (left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+    if (!across) {
+      // Two cameras stand behind each other: each has a line of its own.
+      const double row = s.centre.x() > 0 ? 17 : 0;
+      const QRectF box(left ? from.x() - 12 : from.x() - 108, from.y() + (up ? -60 : 24) + row, 120, 17);
+      painter.drawText(box, align,
+                       QStringLiteral("%1   %2°").arg(c + 1).arg(locale().toString(std::abs(s.elevationDeg), 'f', 1)));
+      continue;
+    }
+    const QRectF box(left ? from.x() - 50 : from.x() - 100, from.y() + (up ? -60 : 24), 150, 18);
+    painter.drawText(box, align, tr("Camera %1").arg(c + 1));
     painter.setPen(p.t2);
     painter.setFont(uiFont(14));
-    painter.drawText(box.translated(0, 17), align | Qt::AlignVCenter, figures);
+    const bool inch = units_.length() == Units::Length::Inch;
+    painter.drawText(
+        box.translated(0, 17), align,
+        QStringLiteral("%1 %2").arg(locale().toString(inch ? s.distanceMm / 25.4 : s.distanceMm, 'f', inch ? 1 : 0),
+                                    inch ? QStringLiteral("in") : QStringLiteral("mm")));
   }
 }
 

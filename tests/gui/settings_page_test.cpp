@@ -13,8 +13,10 @@
 
 #include "engine/archive/audit_trail.h"
 #include "engine/archive/user_register.h"
+#include "engine/optics/nominal_rig.h"
 #include "gui/settings/audit_panel.h"
 #include "gui/settings/people_panel.h"
+#include "gui/settings/rig_drawing.h"
 #include "gui/settings/sign_in_panel.h"
 #include "tests/gui/made_line.h"
 
@@ -139,6 +141,26 @@ TEST_F(SettingsPageTest, ThemeAndUnitChangeAtOnce) {
   auto* look = named<QComboBox>("Theme");
   QTest::keyClick(look, Qt::Key_Down);
   EXPECT_TRUE(theme.dark());
+}
+
+TEST_F(SettingsPageTest, TheRigIsDrawnFromTheCalibrationInForce) {
+  page->showGroup(SettingsPage::Group::Rig);
+  auto* rig = page->findChild<RigDrawing*>();
+  ASSERT_NE(rig, nullptr);
+  page->showLine(line.snapshot, PullDetail::Everything);
+  EXPECT_EQ(rig->distanceMm(0), 0) << "this line does not tell";
+  line.rig = nominalRig();
+  if (line.rig.id.empty()) line.rig.id = "nominal";
+  page->showLine(makeSnapshot(), PullDetail::Everything);
+  for (int c = 0; c < kCameraCount; ++c)
+    EXPECT_NEAR(rig->distanceMm(c), nominalStations()[static_cast<std::size_t>(c)].distanceMm, 1e-6);
+  const QImage drawn = rig->grab().toImage();
+  if (const QByteArray kept = qgetenv("VIGNOLE_KEEP_PICTURES"); !kept.isEmpty()) {
+    EXPECT_TRUE(page->grab().save(QString::fromLocal8Bit(kept) + QStringLiteral("/rig.png")));
+  }
+  line.rig.rangeFinders[2].cameraFromWorld.translationMm.z() += 80;
+  page->showLine(makeSnapshot(), PullDetail::Everything);
+  EXPECT_NE(rig->grab().toImage(), drawn) << "a camera stands farther away";
 }
 
 }  // namespace

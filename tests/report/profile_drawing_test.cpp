@@ -77,6 +77,23 @@ TEST(ProfileDrawing, CamerasHaveTheirColours) {
   for (const QColor& colour : lightPalette().camera) EXPECT_GT(pixelsOf(image, colour), 200);
 }
 
+TEST(ProfileDrawing, PointsBeforeRegistrationStandBesideThoseAfterIt) {
+  const PaintedRail rail = paintedRail();
+  const QImage image = drawn(rail, lightPalette(), [](ProfileDrawing& d) { d.beforeRegistration = true; });
+  keep(image, "before-registration");
+  EXPECT_GT(pixelsOf(image, lightPalette().camera[1]), 500) << "as seen";
+  EXPECT_GT(pixelsOf(image, lightPalette().t1), 500) << "registered";
+  // A rail that lay where the section is drawn: both fall together.
+  PaintedRail still = paintedRail();
+  for (ProfilePoint& p : still.result.profile.points) {
+    const Point2 at = still.result.registration.worldFromSection.inverse() * Point2(p.x, p.y);
+    p.x = at.x(), p.y = at.y();
+  }
+  still.result.registration.worldFromSection = {};
+  const QImage same = drawn(still, lightPalette(), [](ProfileDrawing& d) { d.beforeRegistration = true; });
+  EXPECT_LT(pixelsOf(same, lightPalette().camera[1]), pixelsOf(image, lightPalette().camera[1]) / 2);
+}
+
 TEST(ProfileDrawing, EveryViewMagnificationSizeAndChoicePaints) {
   PaintedRail rail = paintedRail();
   setValue(rail, Dimension::FTr, 0.9);
