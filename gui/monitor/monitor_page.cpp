@@ -269,7 +269,6 @@ void MonitorPage::retranslate() {
 void MonitorPage::relabel() {
   const QString run = running_ ? tr("Stop line") : tr("Start line");
   run_->setText(compact_ ? QString() : run);
-  before_->setVisible(!compact_);  // its key remains
   byCamera_->setText(compact_ ? QString() : tr("By camera"));
   run_->setAccessibleName(run);
   run_->setToolTip(tr("%1 (Ctrl+R)").arg(run));
@@ -337,6 +336,7 @@ void MonitorPage::layOut() {
     const int word = view->fontMetrics().horizontalAdvance(view->text()) + 14;
     view->setFixedWidth(std::max(leftWidth < 640 ? 57 : leftWidth < 900 ? 64 : 84, word));
   }
+  before_->setVisible(leftWidth >= 760);  // its key remains
   if (const bool compact = leftWidth < 900; compact != compact_) {
     compact_ = compact;
     for (QPushButton* b : {byCamera_, run_}) {
