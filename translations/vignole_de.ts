@@ -164,7 +164,7 @@
         <translation>Das Archiv antwortet nicht.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>Schienen werden gemessen; ihre Aufzeichnungen warten auf der Platte dieses Rechners.</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@
         <translation>Kalibrierungen werden nicht aufbewahrt: %1. Programm mit einem Archiv starten (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>Kalibrieren ist Sache des Technikers: als Techniker oder Qualität anmelden (Optionen, F10).</translation>
     </message>
     <message>
@@ -3019,8 +3019,27 @@ Kameras: %4</translation>
         <translation>Einer der Drehgeber rutscht. Weiter: Räder reinigen, andrücken und erneut fahren.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>Ein Impuls entspricht %1 µm Schiene. Weiter: dort eintragen, wo die Impulse des Drehgebers in Trigger geteilt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::FramesDrawing</name>
+    <message>
+        <source>Frames: world on the light plane, camera, image</source>
+        <translation>Koordinatensysteme: Welt auf der Lichtebene, Kamera, Bild</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Welt</translation>
     </message>
 </context>
 <context>
@@ -3458,7 +3477,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Ist diese Schiene gut?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>Das große Wort ist das bisherige Urteil über die Schiene; daneben steht, ob der Messanlage zu trauen ist. Beides ist aus zwei Metern lesbar.</translation>
     </message>
     <message>
@@ -3683,7 +3702,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Personen</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>Namen und Rollen verwaltet der Administrator: als Administrator anmelden, um Personen zu sehen und einzutragen.</translation>
     </message>
     <message>
@@ -4225,7 +4244,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Zuerst die Linie stoppen (Strg+R): beide brauchen alle Prozessoren.</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>Der Versuch des Aufsatzes: eine Schiene, fünf Prüfungen, die Wahrheit bekannt.</translation>
     </message>
     <message>
@@ -5853,7 +5872,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Niemand kann sich anmelden: Personen stehen im Archiv, und es gibt keines (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>Nach einer Viertelstunde ohne Taste oder Berührung ist es wieder der Bildschirm des Bedieners.</translation>
     </message>
     <message>
@@ -5861,7 +5880,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Noch ist niemand eingetragen. Der Erste ist Administrator und trägt die anderen ein; das Passwort hat mindestens 8 Zeichen.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>Ohne Anmeldung ist dies der Bildschirm des Bedieners: er misst, zeigt und quittiert.</translation>
     </message>
     <message>
@@ -6179,7 +6198,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Gesperrt, solange die Linie misst: die Platte steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Jede Kombination der Stufen ist eine Kalibrierung nach der Methode des Aufsatzes an Bildern der Platte. Stufen werden durch Kommas getrennt; eine oder keine Stufe: die Einstellung wird nicht verändert.</translation>
     </message>
     <message>
@@ -6415,7 +6434,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Grund der Änderung</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>Die Belichtung dieser Kameras lässt sich von hier nicht ändern.</translation>
     </message>
     <message>

@@ -164,7 +164,7 @@
         <translation>El archivo no responde.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>Los carriles se miden; sus registros esperan en el disco de este equipo.</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@
         <translation>Las calibraciones no se guardan: %1. Inicie el programa con un archivo (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>Calibrar es cosa del técnico: inicie sesión como técnico o calidad (Ajustes, F10).</translation>
     </message>
     <message>
@@ -3019,8 +3019,27 @@ Cámaras: %4</translation>
         <translation>Un encóder desliza. Siguiente: limpie las ruedas, apriételas y repita el recorrido.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>Un pulso son %1 µm de carril. Siguiente: introdúzcalo donde los pulsos del encóder se dividen en disparos.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::FramesDrawing</name>
+    <message>
+        <source>Frames: world on the light plane, camera, image</source>
+        <translation>Sistemas de referencia: mundo en el plano de luz, cámara, imagen</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Mundo</translation>
     </message>
 </context>
 <context>
@@ -3458,7 +3477,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>¿Es bueno este carril?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>La palabra grande es el veredicto del carril hasta ahora; al lado, si el medidor es fiable. Ambos se leen a dos metros.</translation>
     </message>
     <message>
@@ -3683,7 +3702,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Personas</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>Nombres y roles son cosa del administrador: inicie sesión como administrador para ver y dar de alta personas.</translation>
     </message>
     <message>
@@ -4225,7 +4244,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Pare antes la línea (Ctrl+R): ambas necesitan todos los procesadores.</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>El experimento del artículo: un carril, cinco inspecciones, verdad conocida.</translation>
     </message>
     <message>
@@ -5853,7 +5872,7 @@ Se guardan %2 carriles.</translation>
         <translation>Nadie puede iniciar sesión: las personas se guardan en el archivo y no hay ninguno (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>Tras un cuarto de hora sin tecla ni toque vuelve a ser la pantalla del operador.</translation>
     </message>
     <message>
@@ -5861,7 +5880,7 @@ Se guardan %2 carriles.</translation>
         <translation>Aún no hay nadie dado de alta. El primero es el administrador y da de alta a los demás; la contraseña tiene al menos 8 caracteres.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>Sin iniciar sesión es la pantalla del operador: mide, muestra y reconoce.</translation>
     </message>
     <message>
@@ -6179,7 +6198,7 @@ Se guardan %2 carriles.</translation>
         <translation>Cerrado mientras la línea mide: la placa está donde pasa el carril. Pare la línea para continuar.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Cada combinación de los niveles es una calibración por el método del artículo con imágenes de la placa. Los niveles se separan con comas; un nivel o ninguno: el ajuste no se varía.</translation>
     </message>
     <message>
@@ -6415,7 +6434,7 @@ Se guardan %2 carriles.</translation>
         <translation>Motivo del cambio</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>La exposición de estas cámaras no puede cambiarse desde aquí.</translation>
     </message>
     <message>

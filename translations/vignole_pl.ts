@@ -164,7 +164,7 @@
         <translation>Archiwum nie odpowiada.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>Szyny są mierzone; ich zapisy czekają na dysku tego komputera.</translation>
     </message>
     <message>
@@ -2085,7 +2085,7 @@
         <translation>Kalibracje nie są zachowywane: %1. Uruchomić program z archiwum (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>Kalibruje technik: zaloguj się jako technik lub kontrola (Ustawienia, F10).</translation>
     </message>
     <message>
@@ -3032,8 +3032,27 @@ Kamery: %4</translation>
         <translation>Jeden z enkoderów ślizga się. Dalej: oczyść koła, dociśnij je i przejedź ponownie.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>Jeden impuls to %1 µm szyny. Dalej: wpisz to tam, gdzie impulsy enkodera dzieli się na wyzwolenia.</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::FramesDrawing</name>
+    <message>
+        <source>Frames: world on the light plane, camera, image</source>
+        <translation>Układy: świat na płaszczyźnie światła, kamera, obraz</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Świat</translation>
     </message>
 </context>
 <context>
@@ -3474,7 +3493,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Czy ta szyna jest dobra?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>Duże słowo to dotychczasowa ocena szyny; obok widać, czy przyrządowi można ufać. Oba czyta się z dwóch metrów.</translation>
     </message>
     <message>
@@ -3699,7 +3718,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Osoby</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>Nazwami i rolami zarządza administrator: zaloguj się jako administrator, by zobaczyć i wpisać osoby.</translation>
     </message>
     <message>
@@ -4243,7 +4262,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Najpierw zatrzymaj linię (Ctrl+R): oba wymagają wszystkich procesorów.</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>Doświadczenie z artykułu: jedna szyna, pięć inspekcji, znana prawda.</translation>
     </message>
     <message>
@@ -5877,7 +5896,7 @@ Zachowane szyny: %2.</translation>
         <translation>Nikt nie może się zalogować: osoby są w archiwum, a go nie ma (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>Po kwadransie bez klawisza i dotyku ekran wraca do operatora.</translation>
     </message>
     <message>
@@ -5885,7 +5904,7 @@ Zachowane szyny: %2.</translation>
         <translation>Nikogo jeszcze nie wpisano. Pierwsza osoba jest administratorem i wpisuje pozostałe; hasło ma co najmniej 8 znaków.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>Bez logowania to ekran operatora: mierzy, pokazuje i potwierdza.</translation>
     </message>
     <message>
@@ -6204,7 +6223,7 @@ Zachowane szyny: %2.</translation>
         <translation>Zamknięte, gdy linia mierzy: płyta stoi tam, gdzie przejeżdża szyna. Zatrzymaj linię, aby kontynuować.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Każda kombinacja poziomów to kalibracja metodą z artykułu na zdjęciach płyty. Poziomy oddziela się przecinkami; jeden poziom lub żaden: ustawienie się nie zmienia.</translation>
     </message>
     <message>
@@ -6440,7 +6459,7 @@ Zachowane szyny: %2.</translation>
         <translation>Powód zmiany</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>Ekspozycji tych kamer nie można stąd zmienić.</translation>
     </message>
     <message>

@@ -164,7 +164,7 @@
         <translation>档案库无响应。</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
+        <source>Rails are measured; their records wait on this machine's disk.</source>
         <translation>钢轨仍在测量；记录暂存于本机磁盘。</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@
         <translation>标定未保存：%1。请带档案库启动程序（--archive FILE）。</translation>
     </message>
     <message>
-        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
         <translation>标定由技术员进行：请以技术员或质检登录（设置，F10）。</translation>
     </message>
     <message>
@@ -3006,8 +3006,27 @@ Cameras: %4</source>
         <translation>有一个编码器打滑。下一步：清洁测轮，压紧后重新驱动。</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
         <translation>一个脉冲对应钢轨 %1 µm。下一步：在编码器脉冲分频为触发的位置输入该值。</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::FramesDrawing</name>
+    <message>
+        <source>Frames: world on the light plane, camera, image</source>
+        <translation>坐标系：光平面上的世界、相机、图像</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
     </message>
 </context>
 <context>
@@ -3442,7 +3461,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>这根钢轨合格吗？</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
         <translation>大字为钢轨至今的判定；旁边显示测量仪是否可信。两者在两米外均可辨认。</translation>
     </message>
     <message>
@@ -3667,7 +3686,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>人员</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
         <translation>姓名和角色由管理员管理：以管理员登录以查看和登记人员。</translation>
     </message>
     <message>
@@ -4207,7 +4226,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>请先停止产线（Ctrl+R）：两者都需要全部处理器。</translation>
     </message>
     <message>
-        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
         <translation>论文的试验：一根钢轨，五次检测，真值已知。</translation>
     </message>
     <message>
@@ -5829,7 +5848,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>无法登录：人员保存在档案库中，但没有档案库（%1）。</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
         <translation>一刻钟无按键或触摸后，屏幕恢复为操作员。</translation>
     </message>
     <message>
@@ -5837,7 +5856,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>尚无人员登记。第一位为管理员，由其登记他人；密码至少 8 个字符。</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
         <translation>未登录时为操作员屏幕：可测量、查看和确认。</translation>
     </message>
     <message>
@@ -6154,7 +6173,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>产线测量时关闭：销钉板位于钢轨通过之处。停止产线后继续。</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>各水平的每种组合都是按论文方法对销钉板图像进行的一次标定。水平以逗号分隔；一个或没有水平：该设置不变化。</translation>
     </message>
     <message>
@@ -6390,7 +6409,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>更改原因</translation>
     </message>
     <message>
-        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <source>These cameras' exposure cannot be changed from here.</source>
         <translation>这些相机的曝光不能在此更改。</translation>
     </message>
     <message>

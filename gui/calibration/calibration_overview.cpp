@@ -14,6 +14,7 @@
 
 #include "engine/optics/calibration_age.h"
 #include "gui/calibration/drift_panel.h"
+#include "gui/calibration/frames_drawing.h"
 #include "gui/calibration_records/calibration_desk.h"
 #include "gui/calibration_records/worth_table.h"
 #include "gui/theme/inscription.h"
@@ -39,6 +40,9 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
   facts_ = makeLabel(15, 400, "t2", inForcePanel_, true);
   for (QWidget* w : std::initializer_list<QWidget*>{name_, age_, facts_}) inForcePanel_->content()->addWidget(w);
   inForcePanel_->content()->addStretch(1);
+  frames_ = new FramesDrawing(place_.theme, inForcePanel_);
+  frames_->hide();  // until there is room
+  inForcePanel_->content()->addWidget(frames_, 4);
 
   wizardPanel_ = new Panel(this);
   wizardWords_ = makeLabel(15, 400, "t2", wizardPanel_, true);
@@ -122,6 +126,11 @@ CalibrationOverview::CalibrationOverview(Workplace& place, CalibrationDesk& desk
 }
 
 CalibrationOverview::~CalibrationOverview() = default;
+
+void CalibrationOverview::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  frames_->setVisible(height() > 700);  // on small screens the words need the room
+}
 
 void CalibrationOverview::retranslate() {
   inForcePanel_->setTitle(tr("In force"));

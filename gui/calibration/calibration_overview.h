@@ -18,6 +18,7 @@ namespace vignole {
 
 class CalibrationDesk;
 class DriftPanel;
+class FramesDrawing;
 class Panel;
 
 class CalibrationOverview : public QWidget {
@@ -41,6 +42,9 @@ class CalibrationOverview : public QWidget {
   void compared();
   void reverted();  ///< an answer has come, whatever it is
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void showInForce();
   void showHistory();
@@ -58,6 +62,7 @@ class CalibrationOverview : public QWidget {
   QString result_;
   Panel *inForcePanel_, *worthPanel_, *historyPanel_, *wizardPanel_;
   DriftPanel* drift_;
+  FramesDrawing* frames_;
   QLabel *name_, *age_, *facts_, *wizardWords_, *historyWords_, *resultWords_;
   QPushButton *rigWizard_, *lensWizard_, *encoder_, *reference_, *study_, *revert_;
   QTableWidget *history_, *dimensions_;
