@@ -43,14 +43,6 @@ struct Picture {
   }
 };
 
-std::vector<Point2> polyline(const Primitive& shape) {
-  const double total = length(shape);
-  const int steps = std::holds_alternative<Segment>(shape) ? 1 : std::max(2, static_cast<int>(total / kStepMm));
-  std::vector<Point2> result;
-  for (int i = 0; i <= steps; ++i) result.push_back(pointAt(shape, total * i / steps));
-  return result;
-}
-
 std::string number(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -66,10 +58,11 @@ Picture compose(const Section& section, std::span<const ProfilePoint> points, co
   }
   if (registration.valid)
     for (const auto& p : section.primitives) {
-      picture.lines.push_back({polyline(transformed(registration.worldFromSection, p.shape)), kSection, 0.15});
+      picture.lines.push_back({polyline(transformed(registration.worldFromSection, p.shape), kStepMm), kSection, 0.15});
       for (const Point2& q : picture.lines.back().points) picture.include(q);
     }
-  for (const FittedPrimitive& f : measurement.fitted) picture.lines.push_back({polyline(f.shape), kFitted, 0.3});
+  for (const FittedPrimitive& f : measurement.fitted)
+    picture.lines.push_back({polyline(f.shape, kStepMm), kFitted, 0.3});
   for (const Dimension d : kDimensions) {
     const DimensionResult& r = measurement.dimensions[index(d)];
     if (!r.valueMm || r.anchors.size() < 2) continue;

@@ -112,7 +112,7 @@ Expected<Shown> virtualRig(const ServeOptions& o, const std::vector<Fault>& faul
 
 Expected<Shown> whatIsShown(const ServeOptions& o, const std::vector<Fault>& faults) {
   if (o.recording.empty()) return virtualRig(o, faults);
-  return inputError("--recording", "comes with recordings, which this version does not have; leave it out");
+  return inputError("--recording", "cannot be served yet; measure it with inspect --source recording");
 }
 
 nlohmann::ordered_json countersOf(const DeviceRig& rig) {

@@ -164,7 +164,7 @@
         <translation>Das Archiv antwortet nicht.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine's disk.</source>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
         <translation>Schienen werden gemessen; ihre Aufzeichnungen warten auf der Platte dieses Rechners.</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@
         <translation>Kalibrierungen werden nicht aufbewahrt: %1. Programm mit einem Archiv starten (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
         <translation>Kalibrieren ist Sache des Technikers: als Techniker oder Qualität anmelden (Optionen, F10).</translation>
     </message>
     <message>
@@ -2478,6 +2478,17 @@ Kameras: %4</translation>
     <message>
         <source>Largest</source>
         <translation>Größter</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ClosedStep</name>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Gesperrt, solange die Linie misst</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Linie stoppen</translation>
     </message>
 </context>
 <context>
@@ -3019,7 +3030,7 @@ Kameras: %4</translation>
         <translation>Einer der Drehgeber rutscht. Weiter: Räder reinigen, andrücken und erneut fahren.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
         <translation>Ein Impuls entspricht %1 µm Schiene. Weiter: dort eintragen, wo die Impulse des Drehgebers in Trigger geteilt werden.</translation>
     </message>
 </context>
@@ -3313,24 +3324,12 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Sichern…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Linie stoppen</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Gesperrt, solange die Linie misst</translation>
-    </message>
-    <message>
         <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>Die Kamera wird für die Bilder der Tafel gebraucht. Zum Fortfahren die Linie stoppen; was bisher aufgenommen ist, bleibt.</translation>
     </message>
     <message>
         <source>Progress of the solution</source>
         <translation>Fortschritt der Rechnung</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version. Programm mit der virtuellen Anlage starten.</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
@@ -3469,6 +3468,10 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>Next: use it with the plate, or save it.</source>
         <translation>Weiter: mit der Platte verwenden oder sichern.</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Es ist keine Anlage vorhanden: die Assistenten sehen nur durch die virtuelle Anlage. Programm mit der virtuellen Anlage starten.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::MainWindow</name>
@@ -3477,7 +3480,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Ist diese Schiene gut?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
         <translation>Das große Wort ist das bisherige Urteil über die Schiene; daneben steht, ob der Messanlage zu trauen ist. Beides ist aus zwei Metern lesbar.</translation>
     </message>
     <message>
@@ -3702,7 +3705,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Personen</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
         <translation>Namen und Rollen verwaltet der Administrator: als Administrator anmelden, um Personen zu sehen und einzutragen.</translation>
     </message>
     <message>
@@ -4244,7 +4247,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Zuerst die Linie stoppen (Strg+R): beide brauchen alle Prozessoren.</translation>
     </message>
     <message>
-        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
         <translation>Der Versuch des Aufsatzes: eine Schiene, fünf Prüfungen, die Wahrheit bekannt.</translation>
     </message>
     <message>
@@ -5077,10 +5080,6 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Abgebrochen: nichts hat sich geändert.</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
         <translation>Gesperrt, solange die Linie misst: das Stück steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
     </message>
@@ -5138,6 +5137,10 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
     <message>
         <source>not measured: %1</source>
         <translation>nicht gemessen: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Es ist keine Anlage vorhanden: die Assistenten sehen nur durch die virtuelle Anlage.</translation>
     </message>
 </context>
 <context>
@@ -5289,14 +5292,6 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Bericht…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Linie stoppen</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Gesperrt, solange die Linie misst</translation>
-    </message>
-    <message>
         <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>Die Platte steht, wo die Schiene durchläuft, und die Kameras werden gebraucht. Zum Fortfahren die Linie stoppen; was bisher aufgenommen ist, bleibt.</translation>
     </message>
@@ -5343,10 +5338,6 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
     <message>
         <source>Checks of the new calibration</source>
         <translation>Prüfungen der neuen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version. Programm mit der virtuellen Anlage starten.</translation>
     </message>
     <message>
         <source>Four cameras together…</source>
@@ -5582,6 +5573,10 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Es ist keine Anlage vorhanden: die Assistenten sehen nur durch die virtuelle Anlage. Programm mit der virtuellen Anlage starten.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SectionDialog</name>
@@ -5763,10 +5758,6 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Kameras</translation>
     </message>
     <message>
-        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras with GigE Vision are not part of this version.</source>
-        <translation>Es ist kein Standort eingerichtet: die vier Kameras sind die der virtuellen Anlage, und jede Seite sagt SIMULATION. Kameras mit GigE Vision gehören nicht zu dieser Version.</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>Über</translation>
     </message>
@@ -5840,6 +5831,10 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <source>Calibration %1. No rail has been seen yet.</source>
         <translation>Kalibrierung %1. Noch wurde keine Schiene gesehen.</translation>
     </message>
+    <message>
+        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige.</source>
+        <translation>Es ist kein Standort eingerichtet: die vier Kameras sind die der virtuellen Anlage, und jede Seite sagt SIMULATION. Mit Kameras misst die Befehlszeile: vignole-cli inspect --source gige.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5872,7 +5867,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Niemand kann sich anmelden: Personen stehen im Archiv, und es gibt keines (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
         <translation>Nach einer Viertelstunde ohne Taste oder Berührung ist es wieder der Bildschirm des Bedieners.</translation>
     </message>
     <message>
@@ -5880,7 +5875,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Noch ist niemand eingetragen. Der Erste ist Administrator und trägt die anderen ein; das Passwort hat mindestens 8 Zeichen.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
         <translation>Ohne Anmeldung ist dies der Bildschirm des Bedieners: er misst, zeigt und quittiert.</translation>
     </message>
     <message>
@@ -6190,15 +6185,11 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Geschrieben: %1</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Es ist keine Anlage vorhanden: Kameras gehören nicht zu dieser Version.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
         <translation>Gesperrt, solange die Linie misst: die Platte steht, wo die Schiene durchläuft. Zum Fortfahren die Linie stoppen.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Jede Kombination der Stufen ist eine Kalibrierung nach der Methode des Aufsatzes an Bildern der Platte. Stufen werden durch Kommas getrennt; eine oder keine Stufe: die Einstellung wird nicht verändert.</translation>
     </message>
     <message>
@@ -6224,6 +6215,10 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
     <message>
         <source>Fit</source>
         <translation>Ausgleich</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Es ist keine Anlage vorhanden: die Assistenten sehen nur durch die virtuelle Anlage.</translation>
     </message>
 </context>
 <context>
@@ -6434,7 +6429,7 @@ Tafel: %1, Punkte auf ±%2 µm.</translation>
         <translation>Grund der Änderung</translation>
     </message>
     <message>
-        <source>These cameras' exposure cannot be changed from here.</source>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
         <translation>Die Belichtung dieser Kameras lässt sich von hier nicht ändern.</translation>
     </message>
     <message>

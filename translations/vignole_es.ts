@@ -164,7 +164,7 @@
         <translation>El archivo no responde.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine's disk.</source>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
         <translation>Los carriles se miden; sus registros esperan en el disco de este equipo.</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@
         <translation>Las calibraciones no se guardan: %1. Inicie el programa con un archivo (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
         <translation>Calibrar es cosa del técnico: inicie sesión como técnico o calidad (Ajustes, F10).</translation>
     </message>
     <message>
@@ -2478,6 +2478,17 @@ Cámaras: %4</translation>
     <message>
         <source>Largest</source>
         <translation>Mayor</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ClosedStep</name>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Cerrado mientras la línea mide</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Parar la línea</translation>
     </message>
 </context>
 <context>
@@ -3019,7 +3030,7 @@ Cámaras: %4</translation>
         <translation>Un encóder desliza. Siguiente: limpie las ruedas, apriételas y repita el recorrido.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
         <translation>Un pulso son %1 µm de carril. Siguiente: introdúzcalo donde los pulsos del encóder se dividen en disparos.</translation>
     </message>
 </context>
@@ -3313,24 +3324,12 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Guardar…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Parar la línea</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Cerrado mientras la línea mide</translation>
-    </message>
-    <message>
         <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>La cámara hace falta para las imágenes del patrón. Pare la línea para continuar; lo tomado hasta ahora se conserva.</translation>
     </message>
     <message>
         <source>Progress of the solution</source>
         <translation>Progreso del cálculo</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión. Inicie el programa con el equipo virtual.</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
@@ -3469,6 +3468,10 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <source>Next: use it with the plate, or save it.</source>
         <translation>Siguiente: úselo con la placa o guárdelo.</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>No hay equipo por el que mirar: los asistentes solo miran por el equipo virtual. Inicie el programa con el equipo virtual.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::MainWindow</name>
@@ -3477,7 +3480,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>¿Es bueno este carril?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
         <translation>La palabra grande es el veredicto del carril hasta ahora; al lado, si el medidor es fiable. Ambos se leen a dos metros.</translation>
     </message>
     <message>
@@ -3702,7 +3705,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Personas</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
         <translation>Nombres y roles son cosa del administrador: inicie sesión como administrador para ver y dar de alta personas.</translation>
     </message>
     <message>
@@ -4244,7 +4247,7 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Pare antes la línea (Ctrl+R): ambas necesitan todos los procesadores.</translation>
     </message>
     <message>
-        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
         <translation>El experimento del artículo: un carril, cinco inspecciones, verdad conocida.</translation>
     </message>
     <message>
@@ -5077,10 +5080,6 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Cancelado: nada ha cambiado.</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
         <translation>Cerrado mientras la línea mide: la pieza está donde pasa el carril. Pare la línea para continuar.</translation>
     </message>
@@ -5138,6 +5137,10 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
     <message>
         <source>not measured: %1</source>
         <translation>sin medir: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>No hay equipo por el que mirar: los asistentes solo miran por el equipo virtual.</translation>
     </message>
 </context>
 <context>
@@ -5289,14 +5292,6 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Informe…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Parar la línea</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Cerrado mientras la línea mide</translation>
-    </message>
-    <message>
         <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>La placa está donde pasa el carril y las cámaras hacen falta. Pare la línea para continuar; lo tomado hasta ahora se conserva.</translation>
     </message>
@@ -5343,10 +5338,6 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
     <message>
         <source>Checks of the new calibration</source>
         <translation>Controles de la calibración nueva</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión. Inicie el programa con el equipo virtual.</translation>
     </message>
     <message>
         <source>Four cameras together…</source>
@@ -5582,6 +5573,10 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>No hay equipo por el que mirar: los asistentes solo miran por el equipo virtual. Inicie el programa con el equipo virtual.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SectionDialog</name>
@@ -5763,10 +5758,6 @@ Patrón: %1, puntos dentro de ±%2 µm.</translation>
         <translation>Cámaras</translation>
     </message>
     <message>
-        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras with GigE Vision are not part of this version.</source>
-        <translation>No hay instalación configurada: las cuatro cámaras son las del equipo virtual y cada página dice SIMULACIÓN. Las cámaras GigE Vision no forman parte de esta versión.</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>Acerca de</translation>
     </message>
@@ -5840,6 +5831,10 @@ Se guardan %2 carriles.</translation>
         <source>Calibration %1. No rail has been seen yet.</source>
         <translation>Calibración %1. Aún no se ha visto ningún carril.</translation>
     </message>
+    <message>
+        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige.</source>
+        <translation>No hay instalación configurada: las cuatro cámaras son las del equipo virtual y cada página dice SIMULACIÓN. Con cámaras se mide desde la línea de comandos: vignole-cli inspect --source gige.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5872,7 +5867,7 @@ Se guardan %2 carriles.</translation>
         <translation>Nadie puede iniciar sesión: las personas se guardan en el archivo y no hay ninguno (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
         <translation>Tras un cuarto de hora sin tecla ni toque vuelve a ser la pantalla del operador.</translation>
     </message>
     <message>
@@ -5880,7 +5875,7 @@ Se guardan %2 carriles.</translation>
         <translation>Aún no hay nadie dado de alta. El primero es el administrador y da de alta a los demás; la contraseña tiene al menos 8 caracteres.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
         <translation>Sin iniciar sesión es la pantalla del operador: mide, muestra y reconoce.</translation>
     </message>
     <message>
@@ -6190,15 +6185,11 @@ Se guardan %2 carriles.</translation>
         <translation>Escrito: %1</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>No hay equipo por el que mirar: las cámaras no forman parte de esta versión.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
         <translation>Cerrado mientras la línea mide: la placa está donde pasa el carril. Pare la línea para continuar.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Cada combinación de los niveles es una calibración por el método del artículo con imágenes de la placa. Los niveles se separan con comas; un nivel o ninguno: el ajuste no se varía.</translation>
     </message>
     <message>
@@ -6224,6 +6215,10 @@ Se guardan %2 carriles.</translation>
     <message>
         <source>Fit</source>
         <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>No hay equipo por el que mirar: los asistentes solo miran por el equipo virtual.</translation>
     </message>
 </context>
 <context>
@@ -6434,7 +6429,7 @@ Se guardan %2 carriles.</translation>
         <translation>Motivo del cambio</translation>
     </message>
     <message>
-        <source>These cameras' exposure cannot be changed from here.</source>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
         <translation>La exposición de estas cámaras no puede cambiarse desde aquí.</translation>
     </message>
     <message>

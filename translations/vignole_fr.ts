@@ -5,7 +5,7 @@
     <name>AlarmRule</name>
     <message>
         <source>A camera does not answer while a rail passes.</source>
-        <translation>Une caméra ne répond pas pendant le passage d'un rail.</translation>
+        <translation>Une caméra ne répond pas pendant le passage d&apos;un rail.</translation>
     </message>
     <message>
         <source>Its quarter of the profile is missing; rails pass unmeasured.</source>
@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>Check power and network cable of the camera, then Diagnostics; stop the line if it does not come back.</source>
-        <translation>Vérifier l'alimentation et le câble réseau de la caméra, puis Diagnostic ; arrêter la ligne si elle ne revient pas.</translation>
+        <translation>Vérifier l&apos;alimentation et le câble réseau de la caméra, puis Diagnostic ; arrêter la ligne si elle ne revient pas.</translation>
     </message>
     <message>
         <source>Too many triggers give no complete profile.</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>The measurement has stopped while a rail passes.</source>
-        <translation>La mesure s'est arrêtée pendant le passage d'un rail.</translation>
+        <translation>La mesure s&apos;est arrêtée pendant le passage d&apos;un rail.</translation>
     </message>
     <message>
         <source>Rails pass unmeasured.</source>
@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Start the measurement; if it stops again, save a support bundle in Diagnostics.</source>
-        <translation>Démarrer la mesure ; si elle s'arrête encore, enregistrer un fichier d'assistance dans Diagnostic.</translation>
+        <translation>Démarrer la mesure ; si elle s&apos;arrête encore, enregistrer un fichier d&apos;assistance dans Diagnostic.</translation>
     </message>
     <message>
         <source>A rail has a stretch out of tolerance.</source>
@@ -57,11 +57,11 @@
     </message>
     <message>
         <source>The rail must not be delivered as it is.</source>
-        <translation>Le rail ne doit pas être livré en l'état.</translation>
+        <translation>Le rail ne doit pas être livré en l&apos;état.</translation>
     </message>
     <message>
         <source>Mark the rail, see its exceptions on Rails, tell the rolling mill which dimension and where.</source>
-        <translation>Marquer le rail, voir ses dépassements dans Rails, indiquer au laminoir la cote et l'endroit.</translation>
+        <translation>Marquer le rail, voir ses dépassements dans Rails, indiquer au laminoir la cote et l&apos;endroit.</translation>
     </message>
     <message>
         <source>The rail looks like another section than that of the recipe.</source>
@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>The calibration in force is refused, missing or out of date.</source>
-        <translation>L'étalonnage en vigueur est refusé, absent ou périmé.</translation>
+        <translation>L&apos;étalonnage en vigueur est refusé, absent ou périmé.</translation>
     </message>
     <message>
         <source>Uncertainties are not what the reports state.</source>
@@ -89,11 +89,11 @@
     </message>
     <message>
         <source>The seam between two cameras has moved in normal production.</source>
-        <translation>La jonction entre deux caméras s'est déplacée en production normale.</translation>
+        <translation>La jonction entre deux caméras s&apos;est déplacée en production normale.</translation>
     </message>
     <message>
         <source>Dimensions across the seam are biased by about as much.</source>
-        <translation>Les cotes qui traversent la jonction sont biaisées d'autant.</translation>
+        <translation>Les cotes qui traversent la jonction sont biaisées d&apos;autant.</translation>
     </message>
     <message>
         <source>Check the mounting of the cameras beside the seam; calibrate the range finders at the next pause.</source>
@@ -113,7 +113,7 @@
     </message>
     <message>
         <source>Much of a laser line is saturated.</source>
-        <translation>Une grande partie d'une ligne laser est saturée.</translation>
+        <translation>Une grande partie d&apos;une ligne laser est saturée.</translation>
     </message>
     <message>
         <source>Points on bright patches are less certain.</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Shorten the exposure of the camera or clean the window.</source>
-        <translation>Réduire l'exposition de la caméra ou nettoyer la fenêtre.</translation>
+        <translation>Réduire l&apos;exposition de la caméra ou nettoyer la fenêtre.</translation>
     </message>
     <message>
         <source>A laser line is faint.</source>
@@ -133,11 +133,11 @@
     </message>
     <message>
         <source>Clean the windows, check the laser, lengthen the exposure.</source>
-        <translation>Nettoyer les fenêtres, vérifier le laser, allonger l'exposition.</translation>
+        <translation>Nettoyer les fenêtres, vérifier le laser, allonger l&apos;exposition.</translation>
     </message>
     <message>
         <source>The rig is warmer than its calibration allows.</source>
-        <translation>L'installation est plus chaude que son étalonnage ne le permet.</translation>
+        <translation>L&apos;installation est plus chaude que son étalonnage ne le permet.</translation>
     </message>
     <message>
         <source>Positions of cameras and lasers move.</source>
@@ -157,14 +157,14 @@
     </message>
     <message>
         <source>Prune the archive or enlarge the disk.</source>
-        <translation>Épurer l'archive ou agrandir le disque.</translation>
+        <translation>Épurer l&apos;archive ou agrandir le disque.</translation>
     </message>
     <message>
         <source>The archive does not answer.</source>
-        <translation>L'archive ne répond pas.</translation>
+        <translation>L&apos;archive ne répond pas.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine's disk.</source>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
         <translation>Les rails sont mesurés ; leurs enregistrements attendent sur le disque de cette machine.</translation>
     </message>
     <message>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>The queues of the measurement fill up.</source>
-        <translation>Les files d'attente de la mesure se remplissent.</translation>
+        <translation>Les files d&apos;attente de la mesure se remplissent.</translation>
     </message>
     <message>
         <source>Profiles will be dropped.</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>A toleranced dimension is not measured while a rail passes.</source>
-        <translation>Une cote tolérancée n'est pas mesurée pendant le passage d'un rail.</translation>
+        <translation>Une cote tolérancée n&apos;est pas mesurée pendant le passage d&apos;un rail.</translation>
     </message>
     <message>
         <source>The rail cannot be judged by it.</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>What it shows is late; the measurement goes on.</source>
-        <translation>L'affichage est en retard ; la mesure continue.</translation>
+        <translation>L&apos;affichage est en retard ; la mesure continue.</translation>
     </message>
     <message>
         <source>Close what else runs on this machine; see Diagnostics.</source>
@@ -239,7 +239,7 @@
     </message>
     <message>
         <source>Rail flange height</source>
-        <translation>Hauteur de portée d'éclisse</translation>
+        <translation>Hauteur de portée d&apos;éclisse</translation>
     </message>
     <message>
         <source>Foot width</source>
@@ -275,7 +275,7 @@
     </message>
     <message>
         <source>Web thickness</source>
-        <translation>Épaisseur de l'âme</translation>
+        <translation>Épaisseur de l&apos;âme</translation>
     </message>
     <message>
         <source>Head radius</source>
@@ -382,7 +382,7 @@
     </message>
     <message>
         <source>mm. s: standard deviation along the rail; u, U: standard and expanded uncertainty of one profile; Exc.: stretches out of tolerance.</source>
-        <translation>mm. s : écart-type le long du rail ; u, U : incertitude-type et élargie d'un profil ; Dép. : tronçons hors tolérance.</translation>
+        <translation>mm. s : écart-type le long du rail ; u, U : incertitude-type et élargie d&apos;un profil ; Dép. : tronçons hors tolérance.</translation>
     </message>
     <message>
         <source>Profile at %1 m</source>
@@ -394,7 +394,7 @@
     </message>
     <message>
         <source>mean of a stretch</source>
-        <translation>moyenne d'un tronçon</translation>
+        <translation>moyenne d&apos;un tronçon</translation>
     </message>
     <message>
         <source>smallest to largest value of the stretch</source>
@@ -638,7 +638,7 @@
     </message>
     <message>
         <source>Lengths refer to 15 °C. U is the expanded uncertainty with k = 2; a value nearer to a limit than U is near limit: it cannot be decided.</source>
-        <translation>Les longueurs se rapportent à 15 °C. U est l'incertitude élargie avec k = 2 ; une valeur plus proche d'une limite que U est proche limite : on ne peut décider.</translation>
+        <translation>Les longueurs se rapportent à 15 °C. U est l&apos;incertitude élargie avec k = 2 ; une valeur plus proche d&apos;une limite que U est proche limite : on ne peut décider.</translation>
     </message>
     <message>
         <source>mm at 15 °C</source>
@@ -665,7 +665,7 @@
     <name>Engine</name>
     <message>
         <source>wrong section: looks like %1 rather than %2</source>
-        <translation>mauvaise section : ressemble à %1 plutôt qu'à %2</translation>
+        <translation>mauvaise section : ressemble à %1 plutôt qu&apos;à %2</translation>
     </message>
     <message>
         <source>wrong section: looks like %1</source>
@@ -693,7 +693,7 @@
     </message>
     <message>
         <source>the section has no web</source>
-        <translation>la section n'a pas d'âme</translation>
+        <translation>la section n&apos;a pas d&apos;âme</translation>
     </message>
     <message>
         <source>the points do not determine a pose</source>
@@ -701,7 +701,7 @@
     </message>
     <message>
         <source>the foot edge is not upright</source>
-        <translation>le bord du patin n'est pas vertical</translation>
+        <translation>le bord du patin n&apos;est pas vertical</translation>
     </message>
     <message>
         <source>the crown is flat</source>
@@ -709,15 +709,15 @@
     </message>
     <message>
         <source>points do not reach x = %1 from the axis</source>
-        <translation>les points n'atteignent pas x = %1 de l'axe</translation>
+        <translation>les points n&apos;atteignent pas x = %1 de l&apos;axe</translation>
     </message>
     <message>
         <source>points do not reach the crown on the axis</source>
-        <translation>les points n'atteignent pas la table de roulement sur l'axe</translation>
+        <translation>les points n&apos;atteignent pas la table de roulement sur l&apos;axe</translation>
     </message>
     <message>
         <source>points do not reach %1 above the base line</source>
-        <translation>les points n'atteignent pas %1 au-dessus de la ligne de base</translation>
+        <translation>les points n&apos;atteignent pas %1 au-dessus de la ligne de base</translation>
     </message>
     <message>
         <source>not defined on this section</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>no point is near the outline of %1</source>
-        <translation>aucun point n'est proche du contour de %1</translation>
+        <translation>aucun point n&apos;est proche du contour de %1</translation>
     </message>
     <message>
         <source>no base line: %1</source>
@@ -737,7 +737,7 @@
     </message>
     <message>
         <source>extraction failed</source>
-        <translation>échec de l'extraction</translation>
+        <translation>échec de l&apos;extraction</translation>
     </message>
     <message>
         <source>translation failed</source>
@@ -745,7 +745,7 @@
     </message>
     <message>
         <source>the profile is not registered</source>
-        <translation>le profil n'est pas recalé</translation>
+        <translation>le profil n&apos;est pas recalé</translation>
     </message>
     <message>
         <source>no points on %1</source>
@@ -769,7 +769,7 @@
     </message>
     <message>
         <source>%1 is not fitted</source>
-        <translation>%1 n'est pas ajusté</translation>
+        <translation>%1 n&apos;est pas ajusté</translation>
     </message>
     <message>
         <source>no points</source>
@@ -781,11 +781,11 @@
     </message>
     <message>
         <source>no frames</source>
-        <translation>pas d'images</translation>
+        <translation>pas d&apos;images</translation>
     </message>
     <message>
         <source>no frame</source>
-        <translation>pas d'image</translation>
+        <translation>pas d&apos;image</translation>
     </message>
     <message>
         <source>frame lost</source>
@@ -817,7 +817,7 @@
     </message>
     <message>
         <source>outside of a rail</source>
-        <translation>hors d'un rail</translation>
+        <translation>hors d&apos;un rail</translation>
     </message>
     <message>
         <source>missed by all cameras</source>
@@ -885,11 +885,11 @@
     </message>
     <message>
         <source>%1 signed in</source>
-        <translation>%1 s'est connecté</translation>
+        <translation>%1 s&apos;est connecté</translation>
     </message>
     <message>
         <source>%1 signed out</source>
-        <translation>%1 s'est déconnecté</translation>
+        <translation>%1 s&apos;est déconnecté</translation>
     </message>
     <message>
         <source>good</source>
@@ -917,11 +917,11 @@
     </message>
     <message>
         <source>the old one is wrong</source>
-        <translation>l'ancien est faux</translation>
+        <translation>l&apos;ancien est faux</translation>
     </message>
     <message>
         <source>too many wrong ones; locked until %1</source>
-        <translation>trop d'erreurs ; bloqué jusqu'à %1</translation>
+        <translation>trop d&apos;erreurs ; bloqué jusqu&apos;à %1</translation>
     </message>
     <message>
         <source>needs a reason; say why</source>
@@ -937,7 +937,7 @@
     </message>
     <message>
         <source>is no user here</source>
-        <translation>n'est pas inscrit ici</translation>
+        <translation>n&apos;est pas inscrit ici</translation>
     </message>
     <message>
         <source>is longer than 1024 bytes</source>
@@ -957,11 +957,11 @@
     </message>
     <message>
         <source>is the last administrator; make another one first</source>
-        <translation>est le dernier administrateur ; en nommer d'abord un autre</translation>
+        <translation>est le dernier administrateur ; en nommer d&apos;abord un autre</translation>
     </message>
     <message>
         <source>there is none</source>
-        <translation>il n'y en a pas</translation>
+        <translation>il n&apos;y en a pas</translation>
     </message>
     <message>
         <source>no archive was asked for (--archive)</source>
@@ -1068,15 +1068,15 @@
     </message>
     <message>
         <source>%1 dimensions within limits up to %2</source>
-        <translation>%1 cotes dans les limites jusqu'à %2</translation>
+        <translation>%1 cotes dans les limites jusqu&apos;à %2</translation>
     </message>
     <message>
         <source>Waiting for a rail</source>
-        <translation>Attente d'un rail</translation>
+        <translation>Attente d&apos;un rail</translation>
     </message>
     <message>
         <source>the gauge is ready; values appear with the head of the rail</source>
-        <translation>l'appareil est prêt ; les valeurs apparaissent avec la tête du rail</translation>
+        <translation>l&apos;appareil est prêt ; les valeurs apparaissent avec la tête du rail</translation>
     </message>
     <message>
         <source>the line is not running: Ctrl+R starts it</source>
@@ -1092,7 +1092,7 @@
     </message>
     <message>
         <source>this rail was not measured completely</source>
-        <translation>ce rail n'a pas été entièrement mesuré</translation>
+        <translation>ce rail n&apos;a pas été entièrement mesuré</translation>
     </message>
     <message>
         <source>%1 not measured on enough of this rail</source>
@@ -1242,7 +1242,7 @@
     </message>
     <message>
         <source>RFH: distance from the axis, mm</source>
-        <translation>RFH : distance à l'axe, mm</translation>
+        <translation>RFH : distance à l&apos;axe, mm</translation>
     </message>
     <message>
         <source>HF: half width of the crown, mm</source>
@@ -1318,7 +1318,7 @@
     </message>
     <message>
         <source>Registration: points used within, mm</source>
-        <translation>Recalage : points utilisés jusqu'à, mm</translation>
+        <translation>Recalage : points utilisés jusqu&apos;à, mm</translation>
     </message>
     <message>
         <source>Registration: fails above rms, mm</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>no dimension has both a tolerance and figures</source>
-        <translation>aucune cote n'a à la fois tolérance et chiffres</translation>
+        <translation>aucune cote n&apos;a à la fois tolérance et chiffres</translation>
     </message>
     <message>
         <source>Repeatable</source>
@@ -1532,7 +1532,7 @@
     </message>
     <message>
         <source>s from the range</source>
-        <translation>s d'après l'étendue</translation>
+        <translation>s d&apos;après l&apos;étendue</translation>
     </message>
     <message>
         <source>Autocorrelation</source>
@@ -1540,7 +1540,7 @@
     </message>
     <message>
         <source>Left out: a run lacks them</source>
-        <translation>Écartées : absentes d'un passage</translation>
+        <translation>Écartées : absentes d&apos;un passage</translation>
     </message>
     <message>
         <source>Grubbs, means of the runs</source>
@@ -1572,7 +1572,7 @@
     </message>
     <message>
         <source>interval of the lower</source>
-        <translation>intervalle de l'inférieure</translation>
+        <translation>intervalle de l&apos;inférieure</translation>
     </message>
     <message>
         <source>interval of the upper</source>
@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>Accuracy study</source>
-        <translation>Étude d'exactitude</translation>
+        <translation>Étude d&apos;exactitude</translation>
     </message>
     <message>
         <source>Runs</source>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>on for more than a day</source>
-        <translation>active depuis plus d'un jour</translation>
+        <translation>active depuis plus d&apos;un jour</translation>
     </message>
     <message>
         <source>gone</source>
@@ -1701,7 +1701,7 @@
     <name>vignole::AlarmHistoryPanel</name>
     <message>
         <source>What happened</source>
-        <translation>Ce qui s'est passé</translation>
+        <translation>Ce qui s&apos;est passé</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -1753,7 +1753,7 @@
     </message>
     <message>
         <source>Alarms that came and went, newest first</source>
-        <translation>Alarmes passées, la plus récente d'abord</translation>
+        <translation>Alarmes passées, la plus récente d&apos;abord</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>Events, newest first</source>
-        <translation>Événements, le plus récent d'abord</translation>
+        <translation>Événements, le plus récent d&apos;abord</translation>
     </message>
     <message>
         <source>still on</source>
@@ -1781,7 +1781,7 @@
     </message>
     <message>
         <source>no alarm so far</source>
-        <translation>aucune alarme jusqu'ici</translation>
+        <translation>aucune alarme jusqu&apos;ici</translation>
     </message>
     <message numerus="yes">
         <source>%n alarm(s)</source>
@@ -1792,7 +1792,7 @@
     </message>
     <message>
         <source>no event so far</source>
-        <translation>aucun événement jusqu'ici</translation>
+        <translation>aucun événement jusqu&apos;ici</translation>
     </message>
     <message numerus="yes">
         <source>%n event(s)</source>
@@ -1837,11 +1837,11 @@
     </message>
     <message>
         <source>Acknowledge the shown alarm</source>
-        <translation>Acquitter l'alarme affichée</translation>
+        <translation>Acquitter l&apos;alarme affichée</translation>
     </message>
     <message>
         <source>Acknowledge the shown alarm (Ctrl+A)</source>
-        <translation>Acquitter l'alarme affichée (Ctrl+A)</translation>
+        <translation>Acquitter l&apos;alarme affichée (Ctrl+A)</translation>
     </message>
 </context>
 <context>
@@ -1912,7 +1912,7 @@
     </message>
     <message>
         <source>comes back by itself</source>
-        <translation>revient d'elle-même</translation>
+        <translation>revient d&apos;elle-même</translation>
     </message>
     <message>
         <source>Bring back</source>
@@ -1920,11 +1920,11 @@
     </message>
     <message>
         <source>Bring back the chosen alarm</source>
-        <translation>Reprendre l'alarme choisie</translation>
+        <translation>Reprendre l&apos;alarme choisie</translation>
     </message>
     <message>
         <source>Until</source>
-        <translation>Jusqu'à</translation>
+        <translation>Jusqu&apos;à</translation>
     </message>
     <message>
         <source>Shelved alarms</source>
@@ -1966,7 +1966,7 @@
     </message>
     <message>
         <source>Target: below 1 in 10 minutes; above 10 it is a flood.</source>
-        <translation>Cible : moins de 1 en 10 minutes ; au-delà de 10, c'est une avalanche.</translation>
+        <translation>Cible : moins de 1 en 10 minutes ; au-delà de 10, c&apos;est une avalanche.</translation>
     </message>
     <message>
         <source>alarms in 10 minutes</source>
@@ -2002,7 +2002,7 @@
     </message>
     <message>
         <source>On for more than a day</source>
-        <translation>Active depuis plus d'un jour</translation>
+        <translation>Active depuis plus d&apos;un jour</translation>
     </message>
     <message>
         <source>Shelving needs a reason.</source>
@@ -2013,7 +2013,7 @@
     <name>vignole::AuditPanel</name>
     <message>
         <source>Audit trail</source>
-        <translation>Piste d'audit</translation>
+        <translation>Piste d&apos;audit</translation>
     </message>
     <message>
         <source>Time</source>
@@ -2037,7 +2037,7 @@
     </message>
     <message>
         <source>Audit trail, newest first</source>
-        <translation>Piste d'audit, la plus récente d'abord</translation>
+        <translation>Piste d&apos;audit, la plus récente d&apos;abord</translation>
     </message>
     <message>
         <source>Check the chain</source>
@@ -2045,17 +2045,17 @@
     </message>
     <message>
         <source>Check that no entry was changed, put in or taken out</source>
-        <translation>Vérifier qu'aucune entrée n'a été changée, ajoutée ou retirée</translation>
+        <translation>Vérifier qu&apos;aucune entrée n&apos;a été changée, ajoutée ou retirée</translation>
     </message>
     <message>
         <source>The audit trail is shown to QA and administrators who have signed in.</source>
-        <translation>La piste d'audit est montrée à la qualité et aux administrateurs connectés.</translation>
+        <translation>La piste d&apos;audit est montrée à la qualité et aux administrateurs connectés.</translation>
     </message>
     <message numerus="yes">
         <source>%n entry(s), the newest first</source>
         <translation>
-            <numerusform>%n entrée, la plus récente d'abord</numerusform>
-            <numerusform>%n entrées, la plus récente d'abord</numerusform>
+            <numerusform>%n entrée, la plus récente d&apos;abord</numerusform>
+            <numerusform>%n entrées, la plus récente d&apos;abord</numerusform>
         </translation>
     </message>
     <message>
@@ -2078,8 +2078,8 @@
         <translation>Les étalonnages ne sont pas conservés : %1. Démarrer le programme avec une archive (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
-        <translation>L'étalonnage relève du technicien : se connecter comme technicien ou qualité (Réglages, F10).</translation>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
+        <translation>L&apos;étalonnage relève du technicien : se connecter comme technicien ou qualité (Réglages, F10).</translation>
     </message>
     <message>
         <source>There is no archive, so a calibration could neither be kept nor reverted: start the program with --archive FILE.</source>
@@ -2102,7 +2102,7 @@
     </message>
     <message>
         <source>What it is worth</source>
-        <translation>Ce qu'il vaut</translation>
+        <translation>Ce qu&apos;il vaut</translation>
     </message>
     <message>
         <source>Calibrations kept</source>
@@ -2126,7 +2126,7 @@
     </message>
     <message>
         <source>Calibrate the lens of a camera with the flat target</source>
-        <translation>Étalonner l'objectif d'une caméra avec la mire plane</translation>
+        <translation>Étalonner l&apos;objectif d&apos;une caméra avec la mire plane</translation>
     </message>
     <message>
         <source>Encoder…</source>
@@ -2142,7 +2142,7 @@
     </message>
     <message>
         <source>Check the calibration on a reference piece</source>
-        <translation>Vérifier l'étalonnage sur une pièce de référence</translation>
+        <translation>Vérifier l&apos;étalonnage sur une pièce de référence</translation>
     </message>
     <message>
         <source>Parameter study…</source>
@@ -2150,7 +2150,7 @@
     </message>
     <message>
         <source>Study which settings of the calibration matter</source>
-        <translation>Étudier quels réglages de l'étalonnage comptent</translation>
+        <translation>Étudier quels réglages de l&apos;étalonnage comptent</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -2170,7 +2170,7 @@
     </message>
     <message>
         <source>What the calibration in force is worth</source>
-        <translation>Ce que vaut l'étalonnage en vigueur</translation>
+        <translation>Ce que vaut l&apos;étalonnage en vigueur</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -2186,7 +2186,7 @@
     </message>
     <message>
         <source>Put the chosen calibration in force</source>
-        <translation>Mettre en vigueur l'étalonnage choisi</translation>
+        <translation>Mettre en vigueur l&apos;étalonnage choisi</translation>
     </message>
     <message>
         <source>No calibration</source>
@@ -2209,7 +2209,7 @@
     </message>
     <message>
         <source>No interval is set.</source>
-        <translation>Aucun intervalle n'est fixé.</translation>
+        <translation>Aucun intervalle n&apos;est fixé.</translation>
     </message>
     <message>
         <source>Method: %1
@@ -2227,7 +2227,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>None is kept yet. The first is kept when a rail is measured or a wizard ends.</source>
-        <translation>Aucun n'est encore conservé. Le premier le sera quand un rail sera mesuré ou qu'un assistant se terminera.</translation>
+        <translation>Aucun n&apos;est encore conservé. Le premier le sera quand un rail sera mesuré ou qu&apos;un assistant se terminera.</translation>
     </message>
     <message>
         <source>In force: %1</source>
@@ -2263,11 +2263,11 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Difference: what the chosen one measures more than the one in force</source>
-        <translation>Différence : ce que l'étalonnage choisi mesure de plus que celui en vigueur</translation>
+        <translation>Différence : ce que l&apos;étalonnage choisi mesure de plus que celui en vigueur</translation>
     </message>
     <message>
         <source>By the calibration alone, without the noise of the profiles</source>
-        <translation>Par l'étalonnage seul, sans le bruit des profils</translation>
+        <translation>Par l&apos;étalonnage seul, sans le bruit des profils</translation>
     </message>
     <message>
         <source>%1, too much</source>
@@ -2279,11 +2279,11 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Nothing is applied before old and new are compared.</source>
-        <translation>Rien n'est appliqué avant de comparer l'ancien et le nouveau.</translation>
+        <translation>Rien n&apos;est appliqué avant de comparer l&apos;ancien et le nouveau.</translation>
     </message>
     <message>
         <source>It is of other cameras and cannot be put in force here.</source>
-        <translation>Il vient d'autres caméras et ne peut être mis en vigueur ici.</translation>
+        <translation>Il vient d&apos;autres caméras et ne peut être mis en vigueur ici.</translation>
     </message>
     <message>
         <source>It is in force.</source>
@@ -2425,7 +2425,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Beyond a limit</source>
-        <translation>Au-delà d'une limite</translation>
+        <translation>Au-delà d&apos;une limite</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -2457,7 +2457,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>%1   %2 %3   U ±%4   %5 from expected   %6</source>
-        <translation>%1   %2 %3   U ±%4   %5 de l'attendu   %6</translation>
+        <translation>%1   %2 %3   U ±%4   %5 de l&apos;attendu   %6</translation>
     </message>
     <message>
         <source>Export the chart</source>
@@ -2478,6 +2478,17 @@ Caméras : %4</translation>
     <message>
         <source>Largest</source>
         <translation>Maximum</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ClosedStep</name>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Fermé tant que la ligne mesure</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Arrêter la ligne</translation>
     </message>
 </context>
 <context>
@@ -2512,7 +2523,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Load of the computer</source>
-        <translation>Charge de l'ordinateur</translation>
+        <translation>Charge de l&apos;ordinateur</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -2588,7 +2599,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>%1 % of one core</source>
-        <translation>%1 % d'un cœur</translation>
+        <translation>%1 % d&apos;un cœur</translation>
     </message>
     <message numerus="yes">
         <source>%n core(s)</source>
@@ -2619,7 +2630,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>How much of the support bundle is written</source>
-        <translation>Part du fichier d'assistance déjà écrite</translation>
+        <translation>Part du fichier d&apos;assistance déjà écrite</translation>
     </message>
     <message>
         <source>Exposure</source>
@@ -2643,7 +2654,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>%1 pictures/s, %2 % of a core</source>
-        <translation>%1 images/s, %2 % d'un cœur</translation>
+        <translation>%1 images/s, %2 % d&apos;un cœur</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -2674,7 +2685,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>open, nothing is written</source>
-        <translation>ouverte, rien n'est écrit</translation>
+        <translation>ouverte, rien n&apos;est écrit</translation>
     </message>
     <message>
         <source>of %1 GB</source>
@@ -2702,7 +2713,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Where the support bundle is put</source>
-        <translation>Où placer le fichier d'assistance</translation>
+        <translation>Où placer le fichier d&apos;assistance</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -2714,11 +2725,11 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Cancel the support bundle</source>
-        <translation>Annuler le fichier d'assistance</translation>
+        <translation>Annuler le fichier d&apos;assistance</translation>
     </message>
     <message>
         <source>Save a support bundle</source>
-        <translation>Enregistrer un fichier d'assistance</translation>
+        <translation>Enregistrer un fichier d&apos;assistance</translation>
     </message>
 </context>
 <context>
@@ -2741,7 +2752,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>waiting for a profile</source>
-        <translation>attente d'un profil</translation>
+        <translation>attente d&apos;un profil</translation>
     </message>
     <message>
         <source>State</source>
@@ -2830,7 +2841,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>No rail has passed yet. Camera drift shows in the seams of normal production, without a plate.</source>
-        <translation>Aucun rail n'est encore passé. La dérive des caméras se voit aux jonctions en production normale, sans plaque.</translation>
+        <translation>Aucun rail n&apos;est encore passé. La dérive des caméras se voit aux jonctions en production normale, sans plaque.</translation>
     </message>
     <message>
         <source>Learning what the seams are like: %1 of %2 rails since this calibration came into use.</source>
@@ -2839,8 +2850,8 @@ Caméras : %4</translation>
     <message numerus="yes">
         <source>No camera has moved: %n rail(s) watched.</source>
         <translation>
-            <numerusform>Aucune caméra n'a bougé : %n rail observé.</numerusform>
-            <numerusform>Aucune caméra n'a bougé : %n rails observés.</numerusform>
+            <numerusform>Aucune caméra n&apos;a bougé : %n rail observé.</numerusform>
+            <numerusform>Aucune caméra n&apos;a bougé : %n rails observés.</numerusform>
         </translation>
     </message>
     <message>
@@ -2896,7 +2907,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Slip of the virtual second encoder, for training</source>
-        <translation>Glissement du second codeur virtuel, pour s'exercer</translation>
+        <translation>Glissement du second codeur virtuel, pour s&apos;exercer</translation>
     </message>
     <message>
         <source>Slip of the virtual second encoder, ppm</source>
@@ -2908,7 +2919,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Readings from a file…</source>
-        <translation>Lectures d'un fichier…</translation>
+        <translation>Lectures d&apos;un fichier…</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -3016,10 +3027,10 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>One of the encoders slips. Next: clean the wheels, press them on and drive again.</source>
-        <translation>L'un des codeurs glisse. Ensuite : nettoyer les roues, les plaquer et recommencer.</translation>
+        <translation>L&apos;un des codeurs glisse. Ensuite : nettoyer les roues, les plaquer et recommencer.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
         <translation>Une impulsion vaut %1 µm de rail. Ensuite : saisir cette valeur là où les impulsions du codeur sont divisées en déclenchements.</translation>
     </message>
 </context>
@@ -3114,7 +3125,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>The rails come from the virtual rig</source>
-        <translation>Les rails viennent de l'installation virtuelle</translation>
+        <translation>Les rails viennent de l&apos;installation virtuelle</translation>
     </message>
     <message>
         <source>Language</source>
@@ -3168,7 +3179,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Parts of the picture that have been seen</source>
-        <translation>Parties de l'image qui ont été vues</translation>
+        <translation>Parties de l&apos;image qui ont été vues</translation>
     </message>
     <message>
         <source>Picture of the target</source>
@@ -3200,7 +3211,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Lens models (Table III)</source>
-        <translation>Modèles d'objectif (Tableau III)</translation>
+        <translation>Modèles d&apos;objectif (Tableau III)</translation>
     </message>
     <message>
         <source>Distortion model</source>
@@ -3224,7 +3235,7 @@ Caméras : %4</translation>
     </message>
     <message>
         <source>Lens models that were tried</source>
-        <translation>Modèles d'objectif essayés</translation>
+        <translation>Modèles d&apos;objectif essayés</translation>
     </message>
     <message>
         <source>Coverage and residuals</source>
@@ -3241,7 +3252,7 @@ Caméras : %4</translation>
     <message>
         <source>The flat target with circles is held before one camera, in the pose that is drawn, picture by picture. The lens model is the simplest that predicts pictures it has not seen.
 Target: %1, points within ±%2 µm.</source>
-        <translation>La mire plane à cercles est tenue devant une caméra, image par image, dans la pose dessinée. Le modèle d'objectif est le plus simple qui prédise des images qu'il n'a pas vues.
+        <translation>La mire plane à cercles est tenue devant une caméra, image par image, dans la pose dessinée. Le modèle d&apos;objectif est le plus simple qui prédise des images qu&apos;il n&apos;a pas vues.
 Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
@@ -3250,7 +3261,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Camera whose lens is calibrated</source>
-        <translation>Caméra dont l'objectif est étalonné</translation>
+        <translation>Caméra dont l&apos;objectif est étalonné</translation>
     </message>
     <message>
         <source>Camera %1</source>
@@ -3262,7 +3273,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Number of pictures</source>
-        <translation>Nombre d'images</translation>
+        <translation>Nombre d&apos;images</translation>
     </message>
     <message>
         <source>Target to the right, mm</source>
@@ -3298,7 +3309,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Take picture</source>
-        <translation>Prendre l'image</translation>
+        <translation>Prendre l&apos;image</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -3313,14 +3324,6 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Enregistrer…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Arrêter la ligne</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Fermé tant que la ligne mesure</translation>
-    </message>
-    <message>
         <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>La caméra est nécessaire aux images de la mire. Arrêter la ligne pour continuer ; ce qui a été pris est conservé.</translation>
     </message>
@@ -3329,12 +3332,8 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Progression du calcul</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Aucune installation n'est disponible : les caméras ne font pas partie de cette version. Démarrer le programme sur l'installation virtuelle.</translation>
-    </message>
-    <message>
         <source>Cancelled: nothing has changed.</source>
-        <translation>Annulé : rien n'a changé.</translation>
+        <translation>Annulé : rien n&apos;a changé.</translation>
     </message>
     <message>
         <source>Lens of the camera</source>
@@ -3378,7 +3377,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>%1 % of the picture</source>
-        <translation>%1 % de l'image</translation>
+        <translation>%1 % de l&apos;image</translation>
     </message>
     <message>
         <source>None yet.</source>
@@ -3390,7 +3389,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>May be used: mean error %1 px with the model %2, chosen by pictures it had not seen.</source>
-        <translation>Utilisable : erreur moyenne %1 px avec le modèle %2, choisi sur des images qu'il n'avait pas vues.</translation>
+        <translation>Utilisable : erreur moyenne %1 px avec le modèle %2, choisi sur des images qu&apos;il n&apos;avait pas vues.</translation>
     </message>
     <message>
         <source>%1, chosen</source>
@@ -3418,7 +3417,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>This picture would be refused, because it shows the pose of picture %1; move the target to the dashed outline.</source>
-        <translation>Cette image serait refusée, car elle montre la pose de l'image %1 ; déplacer la mire vers le contour en tirets.</translation>
+        <translation>Cette image serait refusée, car elle montre la pose de l&apos;image %1 ; déplacer la mire vers le contour en tirets.</translation>
     </message>
     <message numerus="yes">
         <source>%n point(s) found.</source>
@@ -3429,7 +3428,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Next: solve, or take more.</source>
-        <translation>Ensuite : calculer, ou en prendre d'autres.</translation>
+        <translation>Ensuite : calculer, ou en prendre d&apos;autres.</translation>
     </message>
     <message>
         <source>Working out which pose tells most…</source>
@@ -3438,8 +3437,8 @@ Mire : %1, points à ±%2 µm.</translation>
     <message numerus="yes">
         <source>Next: hold the target to the dashed outline and take the picture; %n to go.</source>
         <translation>
-            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l'image ; encore %n.</numerusform>
-            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l'image ; encore %n.</numerusform>
+            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l&apos;image ; encore %n.</numerusform>
+            <numerusform>Ensuite : tenir la mire sur le contour en tirets et prendre l&apos;image ; encore %n.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3451,7 +3450,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Lens models are adjusted and tried on pictures they have not seen.</source>
-        <translation>Les modèles d'objectif sont ajustés et essayés sur des images qu'ils n'ont pas vues.</translation>
+        <translation>Les modèles d&apos;objectif sont ajustés et essayés sur des images qu&apos;ils n&apos;ont pas vues.</translation>
     </message>
     <message>
         <source>Next: nothing to do; the result comes by itself.</source>
@@ -3463,11 +3462,15 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The wizard of the range finders uses this lens. Next: calibrate the range finders.</source>
-        <translation>L'assistant des télémètres utilise cet objectif. Ensuite : étalonner les télémètres.</translation>
+        <translation>L&apos;assistant des télémètres utilise cet objectif. Ensuite : étalonner les télémètres.</translation>
     </message>
     <message>
         <source>Next: use it with the plate, or save it.</source>
-        <translation>Ensuite : l'utiliser avec la plaque, ou l'enregistrer.</translation>
+        <translation>Ensuite : l&apos;utiliser avec la plaque, ou l&apos;enregistrer.</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Aucune installation n&apos;est disponible : les assistants ne voient que par l&apos;installation virtuelle. Démarrer le programme sur l&apos;installation virtuelle.</translation>
     </message>
 </context>
 <context>
@@ -3477,8 +3480,8 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Ce rail est-il bon ?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
-        <translation>Le grand mot est le verdict du rail jusqu'ici ; à côté, si l'appareil est fiable. Les deux se lisent à deux mètres.</translation>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
+        <translation>Le grand mot est le verdict du rail jusqu&apos;ici ; à côté, si l&apos;appareil est fiable. Les deux se lisent à deux mètres.</translation>
     </message>
     <message>
         <source>The measured profile</source>
@@ -3486,7 +3489,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The rail as it is measured, over its section; deviations are drawn twenty times larger. Keys 1 to 4 show whole, head, web and foot, + and − change the magnification, C colours by camera.</source>
-        <translation>Le rail mesuré, sur sa section ; les écarts sont agrandis vingt fois. Les touches 1 à 4 montrent l'ensemble, la tête, l'âme et le patin ; + et − changent l'agrandissement ; C colore par caméra.</translation>
+        <translation>Le rail mesuré, sur sa section ; les écarts sont agrandis vingt fois. Les touches 1 à 4 montrent l&apos;ensemble, la tête, l&apos;âme et le patin ; + et − changent l&apos;agrandissement ; C colore par caméra.</translation>
     </message>
     <message>
         <source>Every dimension</source>
@@ -3494,7 +3497,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Value, deviation, uncertainty and where it lies in its tolerance; the hatched ends are closer to a limit than the uncertainty. Choose a row to see the dimension in the drawing.</source>
-        <translation>Valeur, écart, incertitude et place dans la tolérance ; les bouts hachurés sont plus proches d'une limite que l'incertitude. Choisir une ligne pour voir la cote dans le dessin.</translation>
+        <translation>Valeur, écart, incertitude et place dans la tolérance ; les bouts hachurés sont plus proches d&apos;une limite que l&apos;incertitude. Choisir une ligne pour voir la cote dans le dessin.</translation>
     </message>
     <message>
         <source>What runs</source>
@@ -3502,7 +3505,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The line, the rail and who is here. SIMULATION: without a site the rails come from a virtual rig, measured by the real engine.</source>
-        <translation>La ligne, le rail et qui est là. SIMULATION : sans site, les rails viennent d'une installation virtuelle, mesurés par le vrai moteur.</translation>
+        <translation>La ligne, le rail et qui est là. SIMULATION : sans site, les rails viennent d&apos;une installation virtuelle, mesurés par le vrai moteur.</translation>
     </message>
     <message>
         <source>Ten pages</source>
@@ -3636,7 +3639,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>What is entered here goes with the next rail that begins. An empty field stays as the line has it.</source>
-        <translation>Ce qui est saisi ici accompagne le prochain rail qui commence. Un champ vide reste comme la ligne l'a.</translation>
+        <translation>Ce qui est saisi ici accompagne le prochain rail qui commence. Un champ vide reste comme la ligne l&apos;a.</translation>
     </message>
     <message>
         <source>Rail</source>
@@ -3684,15 +3687,15 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The temperature is no number from %1 to %2 °C.</source>
-        <translation>La température n'est pas un nombre de %1 à %2 °C.</translation>
+        <translation>La température n&apos;est pas un nombre de %1 à %2 °C.</translation>
     </message>
     <message>
         <source>Nothing was entered: fill in at least one field.</source>
-        <translation>Rien n'a été saisi : remplir au moins un champ.</translation>
+        <translation>Rien n&apos;a été saisi : remplir au moins un champ.</translation>
     </message>
     <message>
         <source>Nothing waits: the next rail is named by the line.</source>
-        <translation>Rien n'attend : le prochain rail est nommé par la ligne.</translation>
+        <translation>Rien n&apos;attend : le prochain rail est nommé par la ligne.</translation>
     </message>
 </context>
 <context>
@@ -3702,8 +3705,8 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Personnes</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
-        <translation>Noms et rôles relèvent de l'administrateur : se connecter comme administrateur pour voir et inscrire des personnes.</translation>
+        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
+        <translation>Noms et rôles relèvent de l&apos;administrateur : se connecter comme administrateur pour voir et inscrire des personnes.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -3743,7 +3746,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Reason for entering the person</source>
-        <translation>Motif de l'inscription</translation>
+        <translation>Motif de l&apos;inscription</translation>
     </message>
     <message>
         <source>Role of the new person</source>
@@ -3920,7 +3923,7 @@ Mire : %1, points à ±%2 µm.</translation>
     <name>vignole::PlateView</name>
     <message>
         <source>no picture yet</source>
-        <translation>pas encore d'image</translation>
+        <translation>pas encore d&apos;image</translation>
     </message>
     <message>
         <source>refused</source>
@@ -4042,7 +4045,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>truth of the virtual rig</source>
-        <translation>vérité de l'installation virtuelle</translation>
+        <translation>vérité de l&apos;installation virtuelle</translation>
     </message>
     <message numerus="yes">
         <source>The inspections were cancelled; %n were whole.</source>
@@ -4053,7 +4056,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Runs of one rail</source>
-        <translation>Passages d'un rail</translation>
+        <translation>Passages d&apos;un rail</translation>
     </message>
     <message>
         <source>Reference values</source>
@@ -4073,11 +4076,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Rails of the archive</source>
-        <translation>Rails de l'archive</translation>
+        <translation>Rails de l&apos;archive</translation>
     </message>
     <message>
         <source>Runs from a file</source>
-        <translation>Passages d'un fichier</translation>
+        <translation>Passages d&apos;un fichier</translation>
     </message>
     <message>
         <source>Virtual rig</source>
@@ -4085,7 +4088,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Where the runs come from</source>
-        <translation>D'où viennent les passages</translation>
+        <translation>D&apos;où viennent les passages</translation>
     </message>
     <message>
         <source>3 m of rail</source>
@@ -4097,7 +4100,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>60 m of rail, as the paper</source>
-        <translation>60 m de rail, comme l'article</translation>
+        <translation>60 m de rail, comme l&apos;article</translation>
     </message>
     <message>
         <source>Length of the virtual rail</source>
@@ -4117,7 +4120,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Open runs from a CSV file</source>
-        <translation>Ouvrir des passages d'un fichier CSV</translation>
+        <translation>Ouvrir des passages d&apos;un fichier CSV</translation>
     </message>
     <message>
         <source>Open reference…</source>
@@ -4125,7 +4128,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Open reference values from a CSV file</source>
-        <translation>Ouvrir des valeurs de référence d'un fichier CSV</translation>
+        <translation>Ouvrir des valeurs de référence d&apos;un fichier CSV</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -4165,7 +4168,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Stored runs come from the archive, and there is none (%1): start the program with --archive FILE, or choose a file or the virtual rig above.</source>
-        <translation>Les passages conservés viennent de l'archive, et il n'y en a pas (%1) : démarrer le programme avec --archive FILE, ou choisir ci-dessus un fichier ou l'installation virtuelle.</translation>
+        <translation>Les passages conservés viennent de l&apos;archive, et il n&apos;y en a pas (%1) : démarrer le programme avec --archive FILE, ou choisir ci-dessus un fichier ou l&apos;installation virtuelle.</translation>
     </message>
     <message>
         <source>virtual rig</source>
@@ -4193,23 +4196,23 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Stop the line first (Ctrl+R)</source>
-        <translation>Arrêter d'abord la ligne (Ctrl+R)</translation>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R)</translation>
     </message>
     <message>
         <source>Stop the line first (Ctrl+R): both need all processors, and no trigger may be lost to a study.</source>
-        <translation>Arrêter d'abord la ligne (Ctrl+R) : les deux exigent tous les processeurs, et aucun déclenchement ne doit être perdu pour une étude.</translation>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R) : les deux exigent tous les processeurs, et aucun déclenchement ne doit être perdu pour une étude.</translation>
     </message>
     <message>
         <source>Accuracy needs a reference: open a CSV with the columns dimension, position_m, value and, if known, u.</source>
-        <translation>L'exactitude exige une référence : ouvrir un fichier CSV avec les colonnes dimension, position_m, value et, si elle est connue, u.</translation>
+        <translation>L&apos;exactitude exige une référence : ouvrir un fichier CSV avec les colonnes dimension, position_m, value et, si elle est connue, u.</translation>
     </message>
     <message>
         <source>At least 1 run is needed, none is chosen.</source>
-        <translation>Il faut au moins 1 passage, aucun n'est choisi.</translation>
+        <translation>Il faut au moins 1 passage, aucun n&apos;est choisi.</translation>
     </message>
     <message>
         <source>At least 2 runs of the same rail are needed, %1 chosen: choose %2 more. The paper took 5.</source>
-        <translation>Il faut au moins 2 passages du même rail (choisis : %1) : en choisir encore %2. L'article en a pris 5.</translation>
+        <translation>Il faut au moins 2 passages du même rail (choisis : %1) : en choisir encore %2. L&apos;article en a pris 5.</translation>
     </message>
     <message>
         <source>stored rails, same rail and gauge</source>
@@ -4237,15 +4240,15 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>A CSV with the columns run, position_m and dimensions, as inspect --csv writes it.</source>
-        <translation>Un fichier CSV avec les colonnes run, position_m et les cotes, comme l'écrit inspect --csv.</translation>
+        <translation>Un fichier CSV avec les colonnes run, position_m et les cotes, comme l&apos;écrit inspect --csv.</translation>
     </message>
     <message>
         <source>Stop the line first (Ctrl+R): both need all processors.</source>
-        <translation>Arrêter d'abord la ligne (Ctrl+R) : les deux exigent tous les processeurs.</translation>
+        <translation>Arrêter d&apos;abord la ligne (Ctrl+R) : les deux exigent tous les processeurs.</translation>
     </message>
     <message>
-        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
-        <translation>L'expérience de l'article : un rail, cinq inspections, la vérité connue.</translation>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
+        <translation>L&apos;expérience de l&apos;article : un rail, cinq inspections, la vérité connue.</translation>
     </message>
     <message>
         <source>No runs are compared yet</source>
@@ -4293,7 +4296,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>of any run</source>
-        <translation>d'un passage</translation>
+        <translation>d&apos;un passage</translation>
     </message>
     <message>
         <source>mean</source>
@@ -4365,7 +4368,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Verdict, figures, formulas and constants stand here when runs are compared.</source>
-        <translation>Verdict, chiffres, formules et constantes s'affichent ici quand des passages sont comparés.</translation>
+        <translation>Verdict, chiffres, formules et constantes s&apos;affichent ici quand des passages sont comparés.</translation>
     </message>
     <message>
         <source>figures of %1</source>
@@ -4543,7 +4546,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Choose a rail in the list: its profile, its dimensions along the rail and its exceptions are shown here.</source>
-        <translation>Choisir un rail dans la liste : son profil, ses cotes le long du rail et ses dépassements s'affichent ici.</translation>
+        <translation>Choisir un rail dans la liste : son profil, ses cotes le long du rail et ses dépassements s&apos;affichent ici.</translation>
     </message>
     <message>
         <source>Rails are not kept: %1. Start the program with an archive (--archive FILE).</source>
@@ -4559,7 +4562,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>No rail is like that. Clear the search or choose other filters.</source>
-        <translation>Aucun rail ne correspond. Effacer la recherche ou choisir d'autres filtres.</translation>
+        <translation>Aucun rail ne correspond. Effacer la recherche ou choisir d&apos;autres filtres.</translation>
     </message>
     <message>
         <source>No rail has been measured yet. Rails appear here when they have passed.</source>
@@ -4622,7 +4625,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Today</source>
-        <translation>Aujourd'hui</translation>
+        <translation>Aujourd&apos;hui</translation>
     </message>
     <message>
         <source>7 days</source>
@@ -4658,7 +4661,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Judge the rails found with other limits</source>
-        <translation>Juger les rails trouvés avec d'autres limites</translation>
+        <translation>Juger les rails trouvés avec d&apos;autres limites</translation>
     </message>
     <message>
         <source>Next rail…</source>
@@ -4678,11 +4681,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Nothing new is kept: nobody writes into this archive.</source>
-        <translation>Rien de nouveau n'est conservé : personne n'écrit dans cette archive.</translation>
+        <translation>Rien de nouveau n&apos;est conservé : personne n&apos;écrit dans cette archive.</translation>
     </message>
     <message>
         <source>Nothing is kept. Live rails are shown on Monitor only.</source>
-        <translation>Rien n'est conservé. Les rails en direct ne sont que sur Moniteur.</translation>
+        <translation>Rien n&apos;est conservé. Les rails en direct ne sont que sur Moniteur.</translation>
     </message>
     <message>
         <source>; %1 profiles lost</source>
@@ -4694,7 +4697,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Nothing can be written: %1. What passes waits in memory.</source>
-        <translation>Impossible d'écrire : %1. Ce qui passe attend en mémoire.</translation>
+        <translation>Impossible d&apos;écrire : %1. Ce qui passe attend en mémoire.</translation>
     </message>
     <message>
         <source>kept since the start: %1 rails; %2 profiles wait</source>
@@ -4702,11 +4705,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>nearest to a limit, inside</source>
-        <translation>le plus proche d'une limite, à l'intérieur</translation>
+        <translation>le plus proche d&apos;une limite, à l&apos;intérieur</translation>
     </message>
     <message>
         <source>furthest beyond a limit, mm</source>
-        <translation>le plus loin au-delà d'une limite, mm</translation>
+        <translation>le plus loin au-delà d&apos;une limite, mm</translation>
     </message>
     <message>
         <source>Dimension that is drawn</source>
@@ -4784,7 +4787,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>New draft from section and class</source>
-        <translation>Nouveau brouillon d'après section et classe</translation>
+        <translation>Nouveau brouillon d&apos;après section et classe</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -4824,11 +4827,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>What is new in it</source>
-        <translation>Ce qu'il y a de nouveau</translation>
+        <translation>Ce qu&apos;il y a de nouveau</translation>
     </message>
     <message>
         <source>What is new in the draft</source>
-        <translation>Ce qu'il y a de nouveau dans le brouillon</translation>
+        <translation>Ce qu&apos;il y a de nouveau dans le brouillon</translation>
     </message>
     <message>
         <source>Save as a new draft</source>
@@ -4868,7 +4871,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Reason for the approval</source>
-        <translation>Motif de l'approbation</translation>
+        <translation>Motif de l&apos;approbation</translation>
     </message>
     <message>
         <source>Your password</source>
@@ -4911,7 +4914,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Only a draft is approved.</source>
-        <translation>Seul un brouillon s'approuve.</translation>
+        <translation>Seul un brouillon s&apos;approuve.</translation>
     </message>
     <message>
         <source>QA approves: sign in.</source>
@@ -4919,11 +4922,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>This draft is yours: somebody else approves it.</source>
-        <translation>Ce brouillon est le vôtre : quelqu'un d'autre l'approuve.</translation>
+        <translation>Ce brouillon est le vôtre : quelqu&apos;un d&apos;autre l&apos;approuve.</translation>
     </message>
     <message>
         <source>Approval retires the version before; reason and password go with your name into the audit trail.</source>
-        <translation>L'approbation retire la version précédente ; motif et nom vont dans la piste d'audit, confirmés par le mot de passe.</translation>
+        <translation>L&apos;approbation retire la version précédente ; motif et nom vont dans la piste d&apos;audit, confirmés par le mot de passe.</translation>
     </message>
     <message>
         <source>%1 v%2 is kept as a draft.</source>
@@ -4935,11 +4938,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>%1: a limit is a number in mm, or empty for none.</source>
-        <translation>%1 : une limite est un nombre en mm, ou vide s'il n'y en a pas.</translation>
+        <translation>%1 : une limite est un nombre en mm, ou vide s&apos;il n&apos;y en a pas.</translation>
     </message>
     <message>
         <source>Say what is new in the draft.</source>
-        <translation>Dire ce qu'il y a de nouveau dans le brouillon.</translation>
+        <translation>Dire ce qu&apos;il y a de nouveau dans le brouillon.</translation>
     </message>
     <message>
         <source>Approved.</source>
@@ -4963,7 +4966,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Draw the section, or bring one along from a drawing</source>
-        <translation>Dessiner la section, ou l'apporter depuis un plan</translation>
+        <translation>Dessiner la section, ou l&apos;apporter depuis un plan</translation>
     </message>
     <message>
         <source>What if…</source>
@@ -5019,19 +5022,19 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Only an approved recipe is measured with.</source>
-        <translation>On ne mesure qu'avec une recette approuvée.</translation>
+        <translation>On ne mesure qu&apos;avec une recette approuvée.</translation>
     </message>
     <message>
         <source>%1: the value is not of its kind.</source>
-        <translation>%1 : la valeur n'est pas du bon type.</translation>
+        <translation>%1 : la valeur n&apos;est pas du bon type.</translation>
     </message>
     <message>
         <source>%1 v%2 is in force from the next rail; the rail in the gauge keeps what it began with.</source>
-        <translation>%1 v%2 est en vigueur dès le prochain rail ; le rail dans l'appareil garde ce avec quoi il a commencé.</translation>
+        <translation>%1 v%2 est en vigueur dès le prochain rail ; le rail dans l&apos;appareil garde ce avec quoi il a commencé.</translation>
     </message>
     <message>
         <source>What if needs at least %1 stored rails of section %2, there are %3: measure more first.</source>
-        <translation>« Et si » exige au moins %1 rails conservés de la section %2, il y en a %3 : en mesurer d'abord d'autres.</translation>
+        <translation>« Et si » exige au moins %1 rails conservés de la section %2, il y en a %3 : en mesurer d&apos;abord d&apos;autres.</translation>
     </message>
     <message>
         <source>Recipes are read, drafts cannot be kept: %1.</source>
@@ -5074,11 +5077,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
-        <translation>Annulé : rien n'a changé.</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Aucune installation n'est disponible : les caméras ne font pas partie de cette version.</translation>
+        <translation>Annulé : rien n&apos;a changé.</translation>
     </message>
     <message>
         <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
@@ -5086,7 +5085,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>A section with a certificate is put into the gauge and measured with the calibration in force. On the virtual rig it is a virtual piece, whose truth is its certificate (U = 2 µm).</source>
-        <translation>Une section avec certificat est placée dans l'appareil et mesurée avec l'étalonnage en vigueur. Sur l'installation virtuelle, c'est une pièce virtuelle dont la vérité est le certificat (U = 2 µm).</translation>
+        <translation>Une section avec certificat est placée dans l&apos;appareil et mesurée avec l&apos;étalonnage en vigueur. Sur l&apos;installation virtuelle, c&apos;est une pièce virtuelle dont la vérité est le certificat (U = 2 µm).</translation>
     </message>
     <message>
         <source>Measuring…</source>
@@ -5099,13 +5098,13 @@ Mire : %1, points à ±%2 µm.</translation>
     <message numerus="yes">
         <source>The gauge agrees with the certificate in every dimension, over %n profile(s).</source>
         <translation>
-            <numerusform>L'appareil concorde avec le certificat pour chaque cote, sur %n profil.</numerusform>
-            <numerusform>L'appareil concorde avec le certificat pour chaque cote, sur %n profils.</numerusform>
+            <numerusform>L&apos;appareil concorde avec le certificat pour chaque cote, sur %n profil.</numerusform>
+            <numerusform>L&apos;appareil concorde avec le certificat pour chaque cote, sur %n profils.</numerusform>
         </translation>
     </message>
     <message>
         <source>The gauge does not agree with the certificate. Next: clean the piece and measure again; if it stays so, calibrate the range finders.</source>
-        <translation>L'appareil ne concorde pas avec le certificat. Ensuite : nettoyer la pièce et mesurer à nouveau ; si cela persiste, étalonner les télémètres.</translation>
+        <translation>L&apos;appareil ne concorde pas avec le certificat. Ensuite : nettoyer la pièce et mesurer à nouveau ; si cela persiste, étalonner les télémètres.</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -5138,6 +5137,10 @@ Mire : %1, points à ±%2 µm.</translation>
     <message>
         <source>not measured: %1</source>
         <translation>non mesuré : %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Aucune installation n&apos;est disponible : les assistants ne voient que par l&apos;installation virtuelle.</translation>
     </message>
 </context>
 <context>
@@ -5202,7 +5205,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Pins in the world</source>
-        <translation>Pions dans l'espace</translation>
+        <translation>Pions dans l&apos;espace</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -5222,7 +5225,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The virtual plate, for training</source>
-        <translation>La plaque virtuelle, pour s'exercer</translation>
+        <translation>La plaque virtuelle, pour s&apos;exercer</translation>
     </message>
     <message>
         <source>is as its certificate says</source>
@@ -5230,11 +5233,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>is the mirror image of its file</source>
-        <translation>est l'image miroir de son fichier</translation>
+        <translation>est l&apos;image miroir de son fichier</translation>
     </message>
     <message>
         <source>is not the one of the certificate</source>
-        <translation>n'est pas celle du certificat</translation>
+        <translation>n&apos;est pas celle du certificat</translation>
     </message>
     <message>
         <source>has lost pin 4</source>
@@ -5289,14 +5292,6 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Rapport…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Arrêter la ligne</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Fermé tant que la ligne mesure</translation>
-    </message>
-    <message>
         <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>La plaque est là où passe le rail, et les caméras sont nécessaires. Arrêter la ligne pour continuer ; ce qui a été pris est conservé.</translation>
     </message>
@@ -5306,7 +5301,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Days after which the calibration is to be repeated</source>
-        <translation>Jours après lesquels l'étalonnage est à refaire</translation>
+        <translation>Jours après lesquels l&apos;étalonnage est à refaire</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -5345,16 +5340,12 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Contrôles du nouvel étalonnage</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Aucune installation n'est disponible : les caméras ne font pas partie de cette version. Démarrer le programme sur l'installation virtuelle.</translation>
-    </message>
-    <message>
         <source>Four cameras together…</source>
         <translation>Quatre caméras ensemble…</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
-        <translation>Annulé : rien n'a changé.</translation>
+        <translation>Annulé : rien n&apos;a changé.</translation>
     </message>
     <message>
         <source>%1 is in force: the line measures with it from the next rail on.</source>
@@ -5362,7 +5353,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Report of the calibration</source>
-        <translation>Rapport de l'étalonnage</translation>
+        <translation>Rapport de l&apos;étalonnage</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -5446,13 +5437,13 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Camera %1: lens of the calibration in force</source>
-        <translation>Caméra %1 : objectif de l'étalonnage en vigueur</translation>
+        <translation>Caméra %1 : objectif de l&apos;étalonnage en vigueur</translation>
     </message>
     <message>
         <source>The plate with 13 pins is put into the gauge where the rail passes, pins towards the cameras, and turned and moved between the pictures. Nothing is applied before old and new have been compared and you confirm.
 
 %1</source>
-        <translation>La plaque à 13 pions est placée dans l'appareil là où passe le rail, pions vers les caméras, puis tournée et déplacée entre les images. Rien n'est appliqué avant la comparaison de l'ancien et du nouveau et votre confirmation.
+        <translation>La plaque à 13 pions est placée dans l&apos;appareil là où passe le rail, pions vers les caméras, puis tournée et déplacée entre les images. Rien n&apos;est appliqué avant la comparaison de l&apos;ancien et du nouveau et votre confirmation.
 
 %1</translation>
     </message>
@@ -5510,7 +5501,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Next: put the plate into the gauge.</source>
-        <translation>Ensuite : placer la plaque dans l'appareil.</translation>
+        <translation>Ensuite : placer la plaque dans l&apos;appareil.</translation>
     </message>
     <message>
         <source>First placement</source>
@@ -5549,7 +5540,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Next: nothing to do; the comparison comes by itself.</source>
-        <translation>Ensuite : rien à faire ; la comparaison vient d'elle-même.</translation>
+        <translation>Ensuite : rien à faire ; la comparaison vient d&apos;elle-même.</translation>
     </message>
     <message>
         <source>Refused: it cannot be put in force.</source>
@@ -5562,13 +5553,13 @@ Mire : %1, points à ±%2 µm.</translation>
     <message numerus="yes">
         <source>May be used, but %n dimension(s) get more than is allowed.</source>
         <translation>
-            <numerusform>Utilisable, mais %n cote reçoit plus qu'admis.</numerusform>
-            <numerusform>Utilisable, mais %n cotes reçoivent plus qu'admis.</numerusform>
+            <numerusform>Utilisable, mais %n cote reçoit plus qu&apos;admis.</numerusform>
+            <numerusform>Utilisable, mais %n cotes reçoivent plus qu&apos;admis.</numerusform>
         </translation>
     </message>
     <message>
         <source>Next: compare old and new on the right. Nothing is applied before you confirm.</source>
-        <translation>Ensuite : comparer à droite l'ancien et le nouveau. Rien n'est appliqué avant votre confirmation.</translation>
+        <translation>Ensuite : comparer à droite l&apos;ancien et le nouveau. Rien n&apos;est appliqué avant votre confirmation.</translation>
     </message>
     <message>
         <source>Done. Next: start the line and watch the first rail.</source>
@@ -5582,12 +5573,16 @@ Mire : %1, points à ±%2 µm.</translation>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Aucune installation n&apos;est disponible : les assistants ne voient que par l&apos;installation virtuelle. Démarrer le programme sur l&apos;installation virtuelle.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SectionDialog</name>
     <message>
         <source>Drawing of a section</source>
-        <translation>Plan d'une section</translation>
+        <translation>Plan d&apos;une section</translation>
     </message>
     <message>
         <source>Section</source>
@@ -5635,7 +5630,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Open a drawing of a section</source>
-        <translation>Ouvrir le plan d'une section</translation>
+        <translation>Ouvrir le plan d&apos;une section</translation>
     </message>
     <message>
         <source>Make a draft of it</source>
@@ -5663,7 +5658,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Open a drawing: one closed outline of lines and arcs, the rail upright.</source>
-        <translation>Ouvrir un plan : un seul contour fermé de segments et d'arcs, le rail debout.</translation>
+        <translation>Ouvrir un plan : un seul contour fermé de segments et d&apos;arcs, le rail debout.</translation>
     </message>
     <message>
         <source>DXF, JSON or a MiniProf design</source>
@@ -5694,7 +5689,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>A name has letters, digits, spaces, dots and hyphens: it becomes the name of a file.</source>
-        <translation>Un nom a des lettres, chiffres, espaces, points et traits d'union : il devient le nom d'un fichier.</translation>
+        <translation>Un nom a des lettres, chiffres, espaces, points et traits d&apos;union : il devient le nom d&apos;un fichier.</translation>
     </message>
     <message>
         <source>%1 is a section of the catalogue: give yours another name.</source>
@@ -5763,10 +5758,6 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Caméras</translation>
     </message>
     <message>
-        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras with GigE Vision are not part of this version.</source>
-        <translation>Aucun site n'est configuré : les quatre caméras sont celles de l'installation virtuelle et chaque page indique SIMULATION. Les caméras GigE Vision ne font pas partie de cette version.</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>À propos</translation>
     </message>
@@ -5776,7 +5767,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>There is none: %1. Rails are measured and not kept. Start the program with --archive FILE.</source>
-        <translation>Il n'y en a pas : %1. Les rails sont mesurés mais non conservés. Démarrer le programme avec --archive FILE.</translation>
+        <translation>Il n&apos;y en a pas : %1. Les rails sont mesurés mais non conservés. Démarrer le programme avec --archive FILE.</translation>
     </message>
     <message>
         <source>%1
@@ -5790,7 +5781,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Language of the screen</source>
-        <translation>Langue de l'écran</translation>
+        <translation>Langue de l&apos;écran</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -5806,7 +5797,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Audit trail</source>
-        <translation>Piste d'audit</translation>
+        <translation>Piste d&apos;audit</translation>
     </message>
     <message>
         <source>of this machine; kept for the next start</source>
@@ -5840,6 +5831,10 @@ Mire : %1, points à ±%2 µm.</translation>
         <source>Calibration %1. No rail has been seen yet.</source>
         <translation>Étalonnage %1. Aucun rail n’a encore été vu.</translation>
     </message>
+    <message>
+        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige.</source>
+        <translation>Aucun site n&apos;est configuré : les quatre caméras sont celles de l&apos;installation virtuelle et chaque page indique SIMULATION. Avec des caméras, la ligne de commande mesure : vignole-cli inspect --source gige.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5861,7 +5856,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Enter as the first administrator</source>
-        <translation>S'inscrire comme premier administrateur</translation>
+        <translation>S&apos;inscrire comme premier administrateur</translation>
     </message>
     <message>
         <source>Sign in</source>
@@ -5869,19 +5864,19 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Nobody can sign in: people are kept in the archive, and there is none (%1).</source>
-        <translation>Personne ne peut se connecter : les personnes sont dans l'archive, et il n'y en a pas (%1).</translation>
+        <translation>Personne ne peut se connecter : les personnes sont dans l&apos;archive, et il n&apos;y en a pas (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
-        <translation>Après un quart d'heure sans touche ni contact, l'écran revient à l'opérateur.</translation>
+        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
+        <translation>Après un quart d&apos;heure sans touche ni contact, l&apos;écran revient à l&apos;opérateur.</translation>
     </message>
     <message>
         <source>Nobody is entered yet. The first one is the administrator and enters the others; the password has at least 8 characters.</source>
-        <translation>Personne n'est inscrit. Le premier est l'administrateur et inscrit les autres ; le mot de passe a au moins 8 caractères.</translation>
+        <translation>Personne n&apos;est inscrit. Le premier est l&apos;administrateur et inscrit les autres ; le mot de passe a au moins 8 caractères.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
-        <translation>Sans connexion, c'est l'écran de l'opérateur : il mesure, affiche et acquitte.</translation>
+        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
+        <translation>Sans connexion, c&apos;est l&apos;écran de l&apos;opérateur : il mesure, affiche et acquitte.</translation>
     </message>
     <message>
         <source>Name and password are both needed.</source>
@@ -5893,11 +5888,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>This account is closed; ask the administrator.</source>
-        <translation>Ce compte est fermé ; demander à l'administrateur.</translation>
+        <translation>Ce compte est fermé ; demander à l&apos;administrateur.</translation>
     </message>
     <message>
         <source>Too many wrong passwords: locked until %1.</source>
-        <translation>Trop de mots de passe erronés : bloqué jusqu'à %1.</translation>
+        <translation>Trop de mots de passe erronés : bloqué jusqu&apos;à %1.</translation>
     </message>
     <message>
         <source>New password, at least 8 characters</source>
@@ -5921,7 +5916,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>This password was given by somebody else: choose one of your own.</source>
-        <translation>Ce mot de passe a été donné par quelqu'un d'autre : en choisir un à soi.</translation>
+        <translation>Ce mot de passe a été donné par quelqu&apos;un d&apos;autre : en choisir un à soi.</translation>
     </message>
     <message>
         <source>The password is changed.</source>
@@ -5982,7 +5977,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>no picture yet</source>
-        <translation>pas encore d'image</translation>
+        <translation>pas encore d&apos;image</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -6009,7 +6004,7 @@ Mire : %1, points à ±%2 µm.</translation>
     <name>vignole::StripesPage</name>
     <message>
         <source>What is tried acts on these pictures alone until it is applied.</source>
-        <translation>L'essai n'agit que sur ces images jusqu'à son application.</translation>
+        <translation>L&apos;essai n&apos;agit que sur ces images jusqu&apos;à son application.</translation>
     </message>
     <message>
         <source>Anybody may try; a technician who has signed in applies.</source>
@@ -6021,11 +6016,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>This source hands out no pictures.</source>
-        <translation>Cette source ne fournit pas d'images.</translation>
+        <translation>Cette source ne fournit pas d&apos;images.</translation>
     </message>
     <message>
         <source>Nothing is on trial: change a parameter first.</source>
-        <translation>Rien à l'essai : changer d'abord un paramètre.</translation>
+        <translation>Rien à l&apos;essai : changer d&apos;abord un paramètre.</translation>
     </message>
     <message>
         <source>A change of the measurement needs a reason.</source>
@@ -6033,7 +6028,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Enregistrer l'image</translation>
+        <translation>Enregistrer l&apos;image</translation>
     </message>
     <message>
         <source>Lost: %1</source>
@@ -6045,7 +6040,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The line has not been started (Ctrl+R).</source>
-        <translation>La ligne n'a pas été démarrée (Ctrl+R).</translation>
+        <translation>La ligne n&apos;a pas été démarrée (Ctrl+R).</translation>
     </message>
     <message>
         <source>%1 old</source>
@@ -6054,13 +6049,13 @@ Mire : %1, points à ±%2 µm.</translation>
     <message numerus="yes">
         <source>The picture is no longer held: the last %n are.</source>
         <translation>
-            <numerusform>L'image n'est plus gardée : seule la dernière (%n) l'est.</numerusform>
-            <numerusform>L'image n'est plus gardée : seules les %n dernières le sont.</numerusform>
+            <numerusform>L&apos;image n&apos;est plus gardée : seule la dernière (%n) l&apos;est.</numerusform>
+            <numerusform>L&apos;image n&apos;est plus gardée : seules les %n dernières le sont.</numerusform>
         </translation>
     </message>
     <message>
         <source>No picture: %1</source>
-        <translation>Pas d'image : %1</translation>
+        <translation>Pas d&apos;image : %1</translation>
     </message>
     <message>
         <source>Pictures behind the profile at %1 m.</source>
@@ -6072,7 +6067,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>There is no archive, so the change could not be recorded: nothing was changed.</source>
-        <translation>Sans archive, le changement ne pouvait être enregistré : rien n'a été changé.</translation>
+        <translation>Sans archive, le changement ne pouvait être enregistré : rien n&apos;a été changé.</translation>
     </message>
     <message>
         <source>The change is being recorded…</source>
@@ -6080,11 +6075,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Nothing was changed, because it could not be recorded: %1</source>
-        <translation>Rien n'a été changé, car cela n'a pu être enregistré : %1</translation>
+        <translation>Rien n&apos;a été changé, car cela n&apos;a pu être enregistré : %1</translation>
     </message>
     <message>
         <source>Recorded. The exposure changes with the next start of the line, the parameters with the next rail.</source>
-        <translation>Enregistré. L'exposition change au prochain démarrage de la ligne, les paramètres au prochain rail.</translation>
+        <translation>Enregistré. L&apos;exposition change au prochain démarrage de la ligne, les paramètres au prochain rail.</translation>
     </message>
     <message>
         <source>Recorded. Waits for the next rail; the running rail keeps what it began with.</source>
@@ -6092,7 +6087,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Camera %1 has no picture to save.</source>
-        <translation>La caméra %1 n'a pas d'image à enregistrer.</translation>
+        <translation>La caméra %1 n&apos;a pas d&apos;image à enregistrer.</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
@@ -6143,15 +6138,15 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Placements of the plate for the study</source>
-        <translation>Positions de la plaque pour l'étude</translation>
+        <translation>Positions de la plaque pour l&apos;étude</translation>
     </message>
     <message>
         <source>Progress of the study</source>
-        <translation>Progression de l'étude</translation>
+        <translation>Progression de l&apos;étude</translation>
     </message>
     <message>
         <source>Start the study</source>
-        <translation>Démarrer l'étude</translation>
+        <translation>Démarrer l&apos;étude</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6175,11 +6170,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
-        <translation>Annulé : rien n'a changé.</translation>
+        <translation>Annulé : rien n&apos;a changé.</translation>
     </message>
     <message>
         <source>Report of the study</source>
-        <translation>Rapport de l'étude</translation>
+        <translation>Rapport de l&apos;étude</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6190,16 +6185,12 @@ Mire : %1, points à ±%2 µm.</translation>
         <translation>Écrit : %1</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Aucune installation n'est disponible : les caméras ne font pas partie de cette version.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
         <translation>Fermé tant que la ligne mesure : la plaque est là où passe le rail. Arrêter la ligne pour continuer.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
-        <translation>Chaque combinaison des niveaux est un étalonnage par la méthode de l'article sur des images de la plaque. Les niveaux sont séparés par des virgules ; un seul niveau ou aucun : le réglage ne varie pas.</translation>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <translation>Chaque combinaison des niveaux est un étalonnage par la méthode de l&apos;article sur des images de la plaque. Les niveaux sont séparés par des virgules ; un seul niveau ou aucun : le réglage ne varie pas.</translation>
     </message>
     <message>
         <source>Working…</source>
@@ -6225,6 +6216,10 @@ Mire : %1, points à ±%2 µm.</translation>
         <source>Fit</source>
         <translation>Ajustement</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Aucune installation n&apos;est disponible : les assistants ne voient que par l&apos;installation virtuelle.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SupportBundle</name>
@@ -6238,7 +6233,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>cancelled: nothing is left of it</source>
-        <translation>annulé : il n'en reste rien</translation>
+        <translation>annulé : il n&apos;en reste rien</translation>
     </message>
 </context>
 <context>
@@ -6319,11 +6314,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>On trial</source>
-        <translation>À l'essai</translation>
+        <translation>À l&apos;essai</translation>
     </message>
     <message>
         <source>%1 on trial</source>
-        <translation>%1 à l'essai</translation>
+        <translation>%1 à l&apos;essai</translation>
     </message>
     <message>
         <source>%1: less</source>
@@ -6343,7 +6338,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Pixels with the line on trial</source>
-        <translation>Pixels avec la ligne à l'essai</translation>
+        <translation>Pixels avec la ligne à l&apos;essai</translation>
     </message>
     <message>
         <source>Difference</source>
@@ -6351,7 +6346,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>In use against on trial</source>
-        <translation>En service et à l'essai</translation>
+        <translation>En service et à l&apos;essai</translation>
     </message>
     <message>
         <source>Points</source>
@@ -6383,7 +6378,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Save the picture of the chosen camera (Ctrl+S)</source>
-        <translation>Enregistrer l'image de la caméra choisie (Ctrl+S)</translation>
+        <translation>Enregistrer l&apos;image de la caméra choisie (Ctrl+S)</translation>
     </message>
     <message>
         <source>Live</source>
@@ -6419,7 +6414,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Discard what is on trial</source>
-        <translation>Abandonner l'essai</translation>
+        <translation>Abandonner l&apos;essai</translation>
     </message>
     <message>
         <source>Use from next rail</source>
@@ -6427,15 +6422,15 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>Use what is on trial from the next rail on</source>
-        <translation>Utiliser l'essai dès le prochain rail</translation>
+        <translation>Utiliser l&apos;essai dès le prochain rail</translation>
     </message>
     <message>
         <source>Reason for the change</source>
         <translation>Motif du changement</translation>
     </message>
     <message>
-        <source>These cameras' exposure cannot be changed from here.</source>
-        <translation>L'exposition de ces caméras ne peut être changée d'ici.</translation>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
+        <translation>L&apos;exposition de ces caméras ne peut être changée d&apos;ici.</translation>
     </message>
     <message>
         <source>camera %1, frozen</source>
@@ -6447,11 +6442,11 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>no picture</source>
-        <translation>pas d'image</translation>
+        <translation>pas d&apos;image</translation>
     </message>
     <message>
         <source>nothing on trial: change a parameter</source>
-        <translation>rien à l'essai : changer un paramètre</translation>
+        <translation>rien à l&apos;essai : changer un paramètre</translation>
     </message>
 </context>
 <context>
@@ -6477,7 +6472,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>The rails that were found are judged again with other limits, from what is stored of every profile. Nothing that is stored changes.</source>
-        <translation>Les rails trouvés sont rejugés avec d'autres limites, d'après ce qui est conservé de chaque profil. Rien de conservé ne change.</translation>
+        <translation>Les rails trouvés sont rejugés avec d&apos;autres limites, d&apos;après ce qui est conservé de chaque profil. Rien de conservé ne change.</translation>
     </message>
     <message>
         <source>Profile class</source>
@@ -6537,7 +6532,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>A limit of %1 is no number. An empty field is no limit.</source>
-        <translation>Une limite de %1 n'est pas un nombre. Un champ vide : pas de limite.</translation>
+        <translation>Une limite de %1 n&apos;est pas un nombre. Un champ vide : pas de limite.</translation>
     </message>
     <message>
         <source>The lower limit of %1 is above the upper one: exchange them.</source>
@@ -6565,7 +6560,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>No rail of this section is in the list. Search for rails first.</source>
-        <translation>Aucun rail de cette section dans la liste. Chercher d'abord des rails.</translation>
+        <translation>Aucun rail de cette section dans la liste. Chercher d&apos;abord des rails.</translation>
     </message>
     <message>
         <source>Judging …</source>
@@ -6596,13 +6591,13 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>stopped before all %1 were judged</source>
-        <translation>arrêté avant d'avoir jugé les %1</translation>
+        <translation>arrêté avant d&apos;avoir jugé les %1</translation>
     </message>
     <message numerus="yes">
         <source>%n could not be judged: %1</source>
         <translation>
-            <numerusform>%n n'a pu être jugé : %1</numerusform>
-            <numerusform>%n n'ont pu être jugés : %1</numerusform>
+            <numerusform>%n n&apos;a pu être jugé : %1</numerusform>
+            <numerusform>%n n&apos;ont pu être jugés : %1</numerusform>
         </translation>
     </message>
     <message>
@@ -6634,7 +6629,7 @@ Mire : %1, points à ±%2 µm.</translation>
     </message>
     <message>
         <source>What the calibration is worth for each dimension</source>
-        <translation>Ce que vaut l'étalonnage pour chaque cote</translation>
+        <translation>Ce que vaut l&apos;étalonnage pour chaque cote</translation>
     </message>
     <message>
         <source>More than the tolerance allows</source>

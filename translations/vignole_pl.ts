@@ -164,7 +164,7 @@
         <translation>Archiwum nie odpowiada.</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine's disk.</source>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
         <translation>Szyny są mierzone; ich zapisy czekają na dysku tego komputera.</translation>
     </message>
     <message>
@@ -2085,7 +2085,7 @@
         <translation>Kalibracje nie są zachowywane: %1. Uruchomić program z archiwum (--archive FILE).</translation>
     </message>
     <message>
-        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
         <translation>Kalibruje technik: zaloguj się jako technik lub kontrola (Ustawienia, F10).</translation>
     </message>
     <message>
@@ -2487,6 +2487,17 @@ Kamery: %4</translation>
     <message>
         <source>Largest</source>
         <translation>Największa</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ClosedStep</name>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>Zamknięte, gdy linia mierzy</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>Zatrzymaj linię</translation>
     </message>
 </context>
 <context>
@@ -3032,7 +3043,7 @@ Kamery: %4</translation>
         <translation>Jeden z enkoderów ślizga się. Dalej: oczyść koła, dociśnij je i przejedź ponownie.</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
         <translation>Jeden impuls to %1 µm szyny. Dalej: wpisz to tam, gdzie impulsy enkodera dzieli się na wyzwolenia.</translation>
     </message>
 </context>
@@ -3326,24 +3337,12 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Zapisz…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Zatrzymaj linię</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Zamknięte, gdy linia mierzy</translation>
-    </message>
-    <message>
         <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>Kamera jest potrzebna do zdjęć planszy. Zatrzymaj linię, aby kontynuować; dotychczasowe zdjęcia zostają.</translation>
     </message>
     <message>
         <source>Progress of the solution</source>
         <translation>Postęp obliczeń</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji. Uruchom program na układzie wirtualnym.</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
@@ -3485,6 +3484,10 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <source>Next: use it with the plate, or save it.</source>
         <translation>Dalej: użyj go z płytą lub zapisz.</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Nie ma układu do podglądu: kreatory patrzą tylko przez układ wirtualny. Uruchom program na układzie wirtualnym.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::MainWindow</name>
@@ -3493,7 +3496,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Czy ta szyna jest dobra?</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
         <translation>Duże słowo to dotychczasowa ocena szyny; obok widać, czy przyrządowi można ufać. Oba czyta się z dwóch metrów.</translation>
     </message>
     <message>
@@ -3718,7 +3721,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Osoby</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
         <translation>Nazwami i rolami zarządza administrator: zaloguj się jako administrator, by zobaczyć i wpisać osoby.</translation>
     </message>
     <message>
@@ -4262,7 +4265,7 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Najpierw zatrzymaj linię (Ctrl+R): oba wymagają wszystkich procesorów.</translation>
     </message>
     <message>
-        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
         <translation>Doświadczenie z artykułu: jedna szyna, pięć inspekcji, znana prawda.</translation>
     </message>
     <message>
@@ -5097,10 +5100,6 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Anulowano: nic się nie zmieniło.</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
         <translation>Zamknięte, gdy linia mierzy: element stoi tam, gdzie przejeżdża szyna. Zatrzymaj linię, aby kontynuować.</translation>
     </message>
@@ -5159,6 +5158,10 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
     <message>
         <source>not measured: %1</source>
         <translation>nie zmierzono: %1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Nie ma układu do podglądu: kreatory patrzą tylko przez układ wirtualny.</translation>
     </message>
 </context>
 <context>
@@ -5310,14 +5313,6 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Raport…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>Zatrzymaj linię</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>Zamknięte, gdy linia mierzy</translation>
-    </message>
-    <message>
         <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>Płyta stoi tam, gdzie przejeżdża szyna, a kamery są potrzebne. Zatrzymaj linię, aby kontynuować; dotychczasowe zdjęcia zostają.</translation>
     </message>
@@ -5364,10 +5359,6 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
     <message>
         <source>Checks of the new calibration</source>
         <translation>Sprawdzenia nowej kalibracji</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji. Uruchom program na układzie wirtualnym.</translation>
     </message>
     <message>
         <source>Four cameras together…</source>
@@ -5605,6 +5596,10 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <source>Close</source>
         <translation>Zamknij</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>Nie ma układu do podglądu: kreatory patrzą tylko przez układ wirtualny. Uruchom program na układzie wirtualnym.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SectionDialog</name>
@@ -5787,10 +5782,6 @@ Plansza: %1, punkty w granicach ±%2 µm.</translation>
         <translation>Kamery</translation>
     </message>
     <message>
-        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras with GigE Vision are not part of this version.</source>
-        <translation>Nie skonfigurowano zakładu: cztery kamery należą do układu wirtualnego, a każda strona mówi SYMULACJA. Kamery GigE Vision nie należą do tej wersji.</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>O programie</translation>
     </message>
@@ -5864,6 +5855,10 @@ Zachowane szyny: %2.</translation>
         <source>Calibration %1. No rail has been seen yet.</source>
         <translation>Kalibracja %1. Nie widziano jeszcze żadnej szyny.</translation>
     </message>
+    <message>
+        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige.</source>
+        <translation>Nie skonfigurowano zakładu: cztery kamery należą do układu wirtualnego, a każda strona mówi SYMULACJA. Z kamerami mierzy wiersz poleceń: vignole-cli inspect --source gige.</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5896,7 +5891,7 @@ Zachowane szyny: %2.</translation>
         <translation>Nikt nie może się zalogować: osoby są w archiwum, a go nie ma (%1).</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
         <translation>Po kwadransie bez klawisza i dotyku ekran wraca do operatora.</translation>
     </message>
     <message>
@@ -5904,7 +5899,7 @@ Zachowane szyny: %2.</translation>
         <translation>Nikogo jeszcze nie wpisano. Pierwsza osoba jest administratorem i wpisuje pozostałe; hasło ma co najmniej 8 znaków.</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
         <translation>Bez logowania to ekran operatora: mierzy, pokazuje i potwierdza.</translation>
     </message>
     <message>
@@ -6215,15 +6210,11 @@ Zachowane szyny: %2.</translation>
         <translation>Zapisano: %1</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>Nie ma układu do podglądu: kamery nie należą do tej wersji.</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
         <translation>Zamknięte, gdy linia mierzy: płyta stoi tam, gdzie przejeżdża szyna. Zatrzymaj linię, aby kontynuować.</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>Każda kombinacja poziomów to kalibracja metodą z artykułu na zdjęciach płyty. Poziomy oddziela się przecinkami; jeden poziom lub żaden: ustawienie się nie zmienia.</translation>
     </message>
     <message>
@@ -6249,6 +6240,10 @@ Zachowane szyny: %2.</translation>
     <message>
         <source>Fit</source>
         <translation>Dopasowanie</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>Nie ma układu do podglądu: kreatory patrzą tylko przez układ wirtualny.</translation>
     </message>
 </context>
 <context>
@@ -6459,7 +6454,7 @@ Zachowane szyny: %2.</translation>
         <translation>Powód zmiany</translation>
     </message>
     <message>
-        <source>These cameras' exposure cannot be changed from here.</source>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
         <translation>Ekspozycji tych kamer nie można stąd zmienić.</translation>
     </message>
     <message>

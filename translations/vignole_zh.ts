@@ -164,7 +164,7 @@
         <translation>档案库无响应。</translation>
     </message>
     <message>
-        <source>Rails are measured; their records wait on this machine's disk.</source>
+        <source>Rails are measured; their records wait on this machine&apos;s disk.</source>
         <translation>钢轨仍在测量；记录暂存于本机磁盘。</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@
         <translation>标定未保存：%1。请带档案库启动程序（--archive FILE）。</translation>
     </message>
     <message>
-        <source>Calibrating is the technician's: sign in as technician or QA (Settings, F10).</source>
+        <source>Calibrating is the technician&apos;s: sign in as technician or QA (Settings, F10).</source>
         <translation>标定由技术员进行：请以技术员或质检登录（设置，F10）。</translation>
     </message>
     <message>
@@ -2469,6 +2469,17 @@ Cameras: %4</source>
     <message>
         <source>Largest</source>
         <translation>最大</translation>
+    </message>
+</context>
+<context>
+    <name>vignole::ClosedStep</name>
+    <message>
+        <source>Closed while the line measures</source>
+        <translation>产线测量时关闭</translation>
+    </message>
+    <message>
+        <source>Stop the line</source>
+        <translation>停止产线</translation>
     </message>
 </context>
 <context>
@@ -3006,7 +3017,7 @@ Cameras: %4</source>
         <translation>有一个编码器打滑。下一步：清洁测轮，压紧后重新驱动。</translation>
     </message>
     <message>
-        <source>One pulse is %1 µm of rail. Next: enter it where the encoder's pulses are divided into triggers.</source>
+        <source>One pulse is %1 µm of rail. Next: enter it where the encoder&apos;s pulses are divided into triggers.</source>
         <translation>一个脉冲对应钢轨 %1 µm。下一步：在编码器脉冲分频为触发的位置输入该值。</translation>
     </message>
 </context>
@@ -3300,24 +3311,12 @@ Target: %1, points within ±%2 µm.</source>
         <translation>保存…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>停止产线</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>产线测量时关闭</translation>
-    </message>
-    <message>
         <source>The camera is needed for the pictures of the target. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>拍摄靶标图像需要使用该相机。停止产线后继续；已拍内容将保留。</translation>
     </message>
     <message>
         <source>Progress of the solution</source>
         <translation>求解进度</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>没有可供查看的装置：本版本不含相机。请以虚拟装置启动程序。</translation>
     </message>
     <message>
         <source>Cancelled: nothing has changed.</source>
@@ -3453,6 +3452,10 @@ Target: %1, points within ±%2 µm.</source>
         <source>Next: use it with the plate, or save it.</source>
         <translation>下一步：用于销钉板，或保存。</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>没有可供查看的装置：向导只能通过虚拟装置观察。请以虚拟装置启动程序。</translation>
+    </message>
 </context>
 <context>
     <name>vignole::MainWindow</name>
@@ -3461,7 +3464,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>这根钢轨合格吗？</translation>
     </message>
     <message>
-        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres' distance.</source>
+        <source>The large word is the verdict of the rail so far; beside it stands whether the gauge can be trusted. Both are made for two metres&apos; distance.</source>
         <translation>大字为钢轨至今的判定；旁边显示测量仪是否可信。两者在两米外均可辨认。</translation>
     </message>
     <message>
@@ -3686,7 +3689,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>人员</translation>
     </message>
     <message>
-        <source>Names and roles are the administrator's: sign in as administrator to see and enter people.</source>
+        <source>Names and roles are the administrator&apos;s: sign in as administrator to see and enter people.</source>
         <translation>姓名和角色由管理员管理：以管理员登录以查看和登记人员。</translation>
     </message>
     <message>
@@ -4226,7 +4229,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>请先停止产线（Ctrl+R）：两者都需要全部处理器。</translation>
     </message>
     <message>
-        <source>The paper's experiment: one rail, five inspections, the truth known.</source>
+        <source>The paper&apos;s experiment: one rail, five inspections, the truth known.</source>
         <translation>论文的试验：一根钢轨，五次检测，真值已知。</translation>
     </message>
     <message>
@@ -5057,10 +5060,6 @@ Target: %1, points within ±%2 µm.</source>
         <translation>已取消：未作任何更改。</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>没有可供查看的装置：本版本不含相机。</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.</source>
         <translation>产线测量时关闭：标准件位于钢轨通过之处。停止产线后继续。</translation>
     </message>
@@ -5117,6 +5116,10 @@ Target: %1, points within ±%2 µm.</source>
     <message>
         <source>not measured: %1</source>
         <translation>未测：%1</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>没有可供查看的装置：向导只能通过虚拟装置观察。</translation>
     </message>
 </context>
 <context>
@@ -5268,14 +5271,6 @@ Target: %1, points within ±%2 µm.</source>
         <translation>报告…</translation>
     </message>
     <message>
-        <source>Stop the line</source>
-        <translation>停止产线</translation>
-    </message>
-    <message>
-        <source>Closed while the line measures</source>
-        <translation>产线测量时关闭</translation>
-    </message>
-    <message>
         <source>The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been taken so far is kept.</source>
         <translation>销钉板位于钢轨通过之处，且需要使用相机。停止产线后继续；已拍内容将保留。</translation>
     </message>
@@ -5322,10 +5317,6 @@ Target: %1, points within ±%2 µm.</source>
     <message>
         <source>Checks of the new calibration</source>
         <translation>新标定的检验</translation>
-    </message>
-    <message>
-        <source>There is no rig to look through: cameras are not part of this version. Start the program on the virtual rig.</source>
-        <translation>没有可供查看的装置：本版本不含相机。请以虚拟装置启动程序。</translation>
     </message>
     <message>
         <source>Four cameras together…</source>
@@ -5559,6 +5550,10 @@ Target: %1, points within ±%2 µm.</source>
         <source>Close</source>
         <translation>关闭</translation>
     </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the virtual rig.</source>
+        <translation>没有可供查看的装置：向导只能通过虚拟装置观察。请以虚拟装置启动程序。</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SectionDialog</name>
@@ -5739,10 +5734,6 @@ Target: %1, points within ±%2 µm.</source>
         <translation>相机</translation>
     </message>
     <message>
-        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras with GigE Vision are not part of this version.</source>
-        <translation>未配置现场：四台相机为虚拟装置的相机，每页均显示“仿真”。本版本不含 GigE Vision 相机。</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>关于</translation>
     </message>
@@ -5816,6 +5807,10 @@ Target: %1, points within ±%2 µm.</source>
         <source>Calibration %1. No rail has been seen yet.</source>
         <translation>标定 %1。尚未见到钢轨。</translation>
     </message>
+    <message>
+        <source>No site is configured: the four cameras are those of the virtual rig, and every page says SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige.</source>
+        <translation>未配置现场：四台相机为虚拟装置的相机，每页均显示“仿真”。使用相机测量请用命令行：vignole-cli inspect --source gige。</translation>
+    </message>
 </context>
 <context>
     <name>vignole::SignInPanel</name>
@@ -5848,7 +5843,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>无法登录：人员保存在档案库中，但没有档案库（%1）。</translation>
     </message>
     <message>
-        <source>After a quarter of an hour without a key or a touch it is the operator's screen again.</source>
+        <source>After a quarter of an hour without a key or a touch it is the operator&apos;s screen again.</source>
         <translation>一刻钟无按键或触摸后，屏幕恢复为操作员。</translation>
     </message>
     <message>
@@ -5856,7 +5851,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>尚无人员登记。第一位为管理员，由其登记他人；密码至少 8 个字符。</translation>
     </message>
     <message>
-        <source>Without signing in this is the operator's screen: it measures, shows and acknowledges.</source>
+        <source>Without signing in this is the operator&apos;s screen: it measures, shows and acknowledges.</source>
         <translation>未登录时为操作员屏幕：可测量、查看和确认。</translation>
     </message>
     <message>
@@ -6165,15 +6160,11 @@ Target: %1, points within ±%2 µm.</source>
         <translation>已写入：%1</translation>
     </message>
     <message>
-        <source>There is no rig to look through: cameras are not part of this version.</source>
-        <translation>没有可供查看的装置：本版本不含相机。</translation>
-    </message>
-    <message>
         <source>Closed while the line measures: the plate stands where the rail passes. Stop the line to go on.</source>
         <translation>产线测量时关闭：销钉板位于钢轨通过之处。停止产线后继续。</translation>
     </message>
     <message>
-        <source>Every combination of the levels is a calibration by the paper's method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
+        <source>Every combination of the levels is a calibration by the paper&apos;s method on pictures of the plate. Levels are parted by commas; one level or none: the setting is not varied.</source>
         <translation>各水平的每种组合都是按论文方法对销钉板图像进行的一次标定。水平以逗号分隔；一个或没有水平：该设置不变化。</translation>
     </message>
     <message>
@@ -6199,6 +6190,10 @@ Target: %1, points within ±%2 µm.</source>
     <message>
         <source>Fit</source>
         <translation>拟合</translation>
+    </message>
+    <message>
+        <source>There is no rig to look through: the wizards look through the virtual rig alone.</source>
+        <translation>没有可供查看的装置：向导只能通过虚拟装置观察。</translation>
     </message>
 </context>
 <context>
@@ -6409,7 +6404,7 @@ Target: %1, points within ±%2 µm.</source>
         <translation>更改原因</translation>
     </message>
     <message>
-        <source>These cameras' exposure cannot be changed from here.</source>
+        <source>These cameras&apos; exposure cannot be changed from here.</source>
         <translation>这些相机的曝光不能在此更改。</translation>
     </message>
     <message>

@@ -185,4 +185,13 @@ std::vector<Point2> intersect(const Primitive& a, const Primitive& b) {
   return common;
 }
 
+std::vector<Point2> polyline(const Primitive& primitive, double stepMm) {
+  const double whole = length(primitive);
+  const int steps =
+      std::holds_alternative<Segment>(primitive) ? 1 : std::max(4, static_cast<int>(std::ceil(whole / stepMm)));
+  std::vector<Point2> points;
+  for (int i = 0; i <= steps; ++i) points.push_back(pointAt(primitive, whole * i / steps));
+  return points;
+}
+
 }  // namespace vignole

@@ -52,4 +52,7 @@ struct Nearest {
 /// Points common to two primitives (ends included, tolerance 1e-9 mm).
 [[nodiscard]] std::vector<Point2> intersect(const Primitive& a, const Primitive& b);
 
+/// Points along it from its start to its end, both included, about `stepMm` apart; of a segment the two ends alone.
+[[nodiscard]] std::vector<Point2> polyline(const Primitive& primitive, double stepMm);
+
 }  // namespace vignole

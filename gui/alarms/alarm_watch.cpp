@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "engine/archive/alarm_history.h"
-#include "engine/archive/archive_url.h"
+#include "engine/database/archive_url.h"
 #include "gui/bridge/archive_reader.h"
 
 namespace vignole {

@@ -55,12 +55,8 @@ struct VirtualLine::Impl {
   struct Change {
     Recipe recipe;
     std::shared_ptr<const RigCalibration> calibration;
-    std::optional<VirtualRigSettings> rig;  ///< the rail that is rendered is another
-  };
-  /// Made ready while the running rail goes on: between two rails there is no time for it.
-  struct Ready {
-    std::shared_ptr<const VirtualRig> rig;   ///< null: the same, and
-    std::unique_ptr<Inspection> inspection;  ///< of the rail behind the gate
+    std::optional<VirtualRigSettings> rig;      ///< the rail that is rendered is another: its settings,
+    std::shared_ptr<const VirtualRig> nextRig;  ///< and it itself
   };
 
   VirtualLineSettings settings;
@@ -75,7 +71,9 @@ struct VirtualLine::Impl {
   std::unique_ptr<RailGate> gate;
   std::unique_ptr<Inspection> inspection;
   std::optional<Change> next;
-  std::future<Ready> ready;  ///< of `next`
+  /// Of the rail behind the gate, made while the running one goes on: between two rails there is no time for it. Null
+  /// where another rail is rendered: that begins anew.
+  std::future<std::unique_ptr<Inspection>> ready;
   RailWriter* writer = nullptr;
   std::uint64_t starts = 0;
   bool stopAsked = false;
@@ -92,7 +90,7 @@ struct VirtualLine::Impl {
     snapshot.expectedPerS = settings.rig.speedMmPerS / settings.rig.spacingMm;
   }
 
-  [[nodiscard]] Change change() const { return next ? *next : Change{settings.recipe, calibration, {}}; }
+  [[nodiscard]] Change change() const { return next ? *next : Change{settings.recipe, calibration, {}, nullptr}; }
   void ask(Change wanted);
   /// `next` comes into force: between two inspections.
   void changeOver();
@@ -146,8 +144,7 @@ void VirtualLine::start() {
 }
 
 void VirtualLine::Impl::changeOver() {
-  watch.restart(calibration->id);
-  if (!next) return;
+  if (!next) return watch.restart(calibration->id);
   const Change now = *std::exchange(next, std::nullopt);
   const bool otherSection = settings.recipe.section.name != now.recipe.section.name;
   if (now.recipe.name != settings.recipe.name || otherSection) {
@@ -158,7 +155,10 @@ void VirtualLine::Impl::changeOver() {
   }
   const bool seamsAnew = now.calibration != calibration || otherSection;
   settings.recipe = now.recipe;  // in place: who draws the section refers to it
-  if (now.rig) settings.rig = *now.rig;
+  if (now.rig) {
+    settings.rig = *now.rig;
+    rig = now.nextRig;
+  }
   calibration = now.calibration;
   if (seamsAnew) seams.restart(settings.recipe.section);
   watch.restart(calibration->id);
@@ -199,17 +199,14 @@ InspectionObserver VirtualLine::Impl::observer(const Recipe& recipe, const RigCa
 void VirtualLine::Impl::ask(Change wanted) {
   next = std::move(wanted);
   if (!running() || stopAsked) return;
-  if (next->rig) {
-    VirtualRigSettings other = *next->rig;
-    other.seed += starts;
-    ready = std::async(std::launch::async, [other] {
-      auto made = VirtualRig::create(other);
-      return Ready{made ? *std::move(made) : nullptr, nullptr};
-    });
+  if (next->nextRig) {
+    std::promise<std::unique_ptr<Inspection>> none;
+    none.set_value(nullptr);
+    ready = none.get_future();
   } else {
     ready = std::async(std::launch::async, [from = gate.get(), recipe = next->recipe, with = *next->calibration,
                                             told = observer(next->recipe, *next->calibration)]() mutable {
-      return Ready{nullptr, std::make_unique<Inspection>(*from, std::move(recipe), std::move(with), std::move(told))};
+      return std::make_unique<Inspection>(*from, std::move(recipe), std::move(with), std::move(told));
     });
   }
   gate->close();
@@ -219,14 +216,13 @@ void VirtualLine::Impl::takeTurns() {
   if (!changing() || inspection->running()) return;
   if (ready.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   inspection.reset();
-  Ready now = ready.get();
+  auto behindTheGate = ready.get();
   changeOver();
-  if (now.inspection) {
-    inspection = std::move(now.inspection);
+  if (behindTheGate) {
+    inspection = std::move(behindTheGate);
     gate->open();
     inspection->start();
   } else {
-    if (now.rig) rig = std::move(now.rig);
     begin();
   }
 }
@@ -254,7 +250,11 @@ Expected<void> VirtualLine::useRecipe(const Recipe& recipe) {
   if (right && toJson(recipe.section) != toJson(rig.section)) {
     rig.section = recipe.section;
     rig.parameters = recipe.parameters;
-    if (const auto possible = VirtualRig::create(rig); !possible) return tl::unexpected(possible.error());
+    VirtualRigSettings next = rig;
+    next.seed += i.starts;
+    auto made = VirtualRig::create(std::move(next));
+    if (!made) return tl::unexpected(made.error());
+    wanted.nextRig = *std::move(made);
     wanted.rig = std::move(rig);
   }
   wanted.recipe = recipe;
@@ -272,7 +272,10 @@ PictureAgain VirtualLine::pictureAgain() {
 }
 
 std::optional<double> VirtualLine::exposureMs() const { return impl_->rig->settings().exposureMs; }
-void VirtualLine::useExposure(double exposureMs) { impl_->settings.rig.exposureMs = exposureMs; }
+void VirtualLine::useExposure(double exposureMs) {
+  impl_->settings.rig.exposureMs = exposureMs;
+  if (impl_->next && impl_->next->rig) impl_->next->rig->exposureMs = exposureMs;
+}
 
 std::shared_ptr<LatestFrames> VirtualLine::frames() { return impl_->frames; }
 RigCalibration VirtualLine::calibration() { return impl_->next ? *impl_->next->calibration : *impl_->calibration; }

@@ -19,6 +19,7 @@
 #include "gui/calibration_records/worth_table.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 
 namespace vignole {

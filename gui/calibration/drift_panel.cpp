@@ -7,6 +7,7 @@
 
 #include "gui/calibration_records/worth_table.h"
 #include "gui/plots/plot_picture.h"
+#include "gui/theme/state_icon.h"
 
 namespace vignole {
 

@@ -19,10 +19,12 @@
 #include "calibration/lens_files/lens_files.h"
 #include "gui/calibration_lens/target_view.h"
 #include "gui/calibration_records/calibration_desk.h"
+#include "gui/calibration_records/closed_step.h"
 #include "gui/calibration_records/step_list.h"
 #include "gui/calibration_records/worth_table.h"
 #include "gui/plots/plot_picture.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 #include "report/intrinsics_report.h"
 
@@ -34,15 +36,6 @@ constexpr int kFewestForAdvice = 4;
 constexpr HeldTarget kAtFirst{40, 30, 560, 0, 0, 3};  // as somebody holds it up
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
-
-QTableWidget* makeTable(int columns, QWidget* parent) {
-  auto* table = new QTableWidget(0, columns, parent);
-  styleTable(*table);
-  table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setIconSize({16, 16});
-  table->verticalHeader()->setDefaultSectionSize(30);
-  return table;
-}
 
 }  // namespace
 
@@ -113,7 +106,8 @@ LensWizard::LensWizard(Workplace& place, CalibrationDesk& desk, QWidget* parent)
   columns->addLayout(aside, 30);
   columns->addLayout(work, 130);
   whole_->addWidget(wizard);
-  whole_->addWidget(makeClosed());
+  closed_ = new ClosedStep(place_, this);
+  whole_->addWidget(closed_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(whole_);
@@ -135,7 +129,7 @@ QWidget* LensWizard::makePictures() {
   picturePanel_->content()->addWidget(picture_, 1);
   viewPanel_ = new Panel(page);
   viewWords_ = makeLabel(14, 400, "t2", viewPanel_, true);
-  views_ = makeTable(4, viewPanel_);
+  views_ = makeFigureTable(4, viewPanel_);
   views_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   viewPanel_->content()->addWidget(viewWords_);
   viewPanel_->content()->addWidget(views_, 1);
@@ -151,7 +145,7 @@ QWidget* LensWizard::makeResult() {
   auto* page = new QWidget(this);
   tablePanel_ = new Panel(page);
   verdict_ = makeLabel(16, 500, "t1", tablePanel_, true);
-  table_ = makeTable(5, tablePanel_);
+  table_ = makeFigureTable(5, tablePanel_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   tablePanel_->content()->addWidget(verdict_);
   tablePanel_->content()->addWidget(table_, 1);
@@ -234,20 +228,6 @@ QWidget* LensWizard::makeFoot() {
   return foot;
 }
 
-QWidget* LensWizard::makeClosed() {
-  auto* closed = new Panel(this);
-  closedTitle_ = makeLabel(24, 500, "t1", closed, true);
-  closedWords_ = makeLabel(18, 400, "t2", closed, true);
-  stopLine_ = makeButton(place_.theme, QStringLiteral("pause"), closed, true);
-  closed->content()->addStretch(1);
-  closed->content()->addWidget(closedTitle_);
-  closed->content()->addWidget(closedWords_);
-  closed->content()->addWidget(stopLine_, 0, Qt::AlignLeft);
-  closed->content()->addStretch(2);
-  connect(stopLine_, &QPushButton::clicked, this, [this] { place_.line.stop(); });
-  return closed;
-}
-
 void LensWizard::retranslate() {
   const auto name = [](QPushButton* button, const QString& text) {
     button->setText(text);
@@ -302,9 +282,7 @@ void LensWizard::retranslate() {
   name(cancel_, tr("Cancel"));
   name(use_, tr("Use with the plate"));
   name(save_, tr("Save…"));
-  name(stopLine_, tr("Stop the line"));
-  closedTitle_->setText(tr("Closed while the line measures"));
-  closedWords_->setText(
+  closed_->say(
       tr("The camera is needed for the pictures of the target. Stop the line to go on; what has been "
          "taken so far is kept."));
   progress_->setAccessibleName(tr("Progress of the solution"));
@@ -330,7 +308,7 @@ void LensWizard::begin() {
   }
   if (!place_.line.virtualRigSeed())
     problem_ =
-        tr("There is no rig to look through: cameras are not part of this version. Start the program on the "
+        tr("There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the "
            "virtual rig.");
   retranslate();
   go(Stage::Prepare);

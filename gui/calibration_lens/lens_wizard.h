@@ -24,6 +24,7 @@ namespace vignole {
 
 class CalibrationDesk;
 class CoverageMap;
+class ClosedStep;
 class Panel;
 class PlotPicture;
 class StepList;
@@ -75,7 +76,6 @@ class LensWizard : public QWidget {
   QWidget* makePictures();
   QWidget* makeResult();
   QWidget* makeFoot();
-  QWidget* makeClosed();
 
   Workplace& place_;
   CalibrationDesk& desk_;
@@ -96,8 +96,7 @@ class LensWizard : public QWidget {
   Panel *stepPanel_, *preparePanel_, *solvePanel_, *coveragePanel_, *viewPanel_, *picturePanel_, *mapPanel_,
       *tablePanel_;
   StepList* steps_;
-  QLabel *prepareWords_, *cameraWord_, *countWord_, *sentence_, *detail_, *solveWords_, *verdict_, *closedTitle_,
-      *closedWords_, *viewWords_;
+  QLabel *prepareWords_, *cameraWord_, *countWord_, *sentence_, *detail_, *solveWords_, *verdict_, *viewWords_;
   QComboBox* camera_;
   QSpinBox* count_;
   TargetPicture* picture_;
@@ -107,8 +106,9 @@ class LensWizard : public QWidget {
   std::array<QDoubleSpinBox*, 6> spins_{};
   PlotPicture *residuals_, *seen_;
   QProgressBar* progress_;
-  QPushButton *asShown_, *leave_, *take_, *nextButton_, *cancel_, *use_, *save_, *stopLine_;
+  QPushButton *asShown_, *leave_, *take_, *nextButton_, *cancel_, *use_, *save_;
   BackgroundJob look_, advice_, solve_;
+  ClosedStep* closed_;
 };
 
 }  // namespace vignole

@@ -6,6 +6,7 @@
 
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 
 namespace vignole {
@@ -15,15 +16,6 @@ enum Column { kName, kInForce, kNew, kAllowed, kLargest, kColumns };
 constexpr std::array<double, kColumns> kShares = {0.20, 0.15, 0.15, 0.16, 0.34};
 constexpr std::array<int, kColumns> kLeast = {86, 68, 74, 70, 0};
 }  // namespace
-
-QIcon stateIcon(StateSymbol symbol, const Palette& palette) {
-  QPixmap pixmap(40, 40);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintSymbol(painter, QRectF(2, 2, 36, 36), symbol, palette);
-  return pixmap;
-}
 
 QString lengthText(const std::optional<double>& mm, const Units& units, int decimalsOfMm) {
   return mm ? numberText(units.shown(*mm), units.decimals(decimalsOfMm)) : QStringLiteral("–");
@@ -84,6 +76,15 @@ void WorthTable::resizeEvent(QResizeEvent* event) {
   for (int column = 0; column + 1 < kColumns; ++column)
     setColumnWidth(column, std::max(kLeast[static_cast<std::size_t>(column)],
                                     static_cast<int>(viewport()->width() * kShares[static_cast<std::size_t>(column)])));
+}
+
+QTableWidget* makeFigureTable(int columns, QWidget* parent) {
+  auto* table = new QTableWidget(0, columns, parent);
+  styleTable(*table);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->setIconSize({16, 16});
+  table->verticalHeader()->setDefaultSectionSize(30);
+  return table;
 }
 
 }  // namespace vignole

@@ -31,9 +31,10 @@ class WorthTable : public QTableWidget {
   std::vector<DimensionWorth> worth_;
 };
 
-/// A state's shape as an icon of table cells.
-[[nodiscard]] QIcon stateIcon(StateSymbol symbol, const Palette& palette);
 /// A length, or an en dash.
 [[nodiscard]] QString lengthText(const std::optional<double>& mm, const Units& units, int decimalsOfMm = 3);
+
+/// A table of figures beside a wizard's step: small rows, nothing to choose.
+[[nodiscard]] QTableWidget* makeFigureTable(int columns, QWidget* parent);
 
 }  // namespace vignole

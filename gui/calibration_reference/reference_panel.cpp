@@ -12,6 +12,7 @@
 #include "gui/calibration_records/worth_table.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 
 namespace vignole {
@@ -137,7 +138,7 @@ void ReferencePanel::showAll() {
   const bool rig = place_.line.virtualRigSeed().has_value(), works = job_.running();
   panel_->setNote(calibration_);
   words_->setText(
-      !rig ? tr("There is no rig to look through: cameras are not part of this version.")
+      !rig ? tr("There is no rig to look through: the wizards look through the virtual rig alone.")
       : lineRuns_
           ? tr("Closed while the line measures: the piece stands where the rail passes. Stop the line to go on.")
           : tr("A section with a certificate is put into the gauge and measured with the calibration in "

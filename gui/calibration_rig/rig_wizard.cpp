@@ -17,12 +17,14 @@
 
 #include "calibration/assessment/existing_calibration.h"
 #include "gui/calibration_records/calibration_desk.h"
+#include "gui/calibration_records/closed_step.h"
 #include "gui/calibration_records/step_list.h"
 #include "gui/calibration_records/worth_table.h"
 #include "gui/calibration_rig/plate_drawing.h"
 #include "gui/calibration_rig/plate_view.h"
 #include "gui/plots/plot_picture.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 #include "report/document_pages.h"
 
@@ -35,15 +37,6 @@ constexpr PlatePose kAtFirst{17, -11, 12, 0};                      // as it come
 constexpr std::array<int, kCameraCount> kOnScreen = {0, 1, 3, 2};  // as the cameras stand
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
-
-QTableWidget* makeTable(int columns, QWidget* parent) {
-  auto* table = new QTableWidget(0, columns, parent);
-  styleTable(*table);
-  table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setIconSize({16, 16});
-  table->verticalHeader()->setDefaultSectionSize(30);
-  return table;
-}
 
 QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& text, bool right = false) {
   auto* item = new QTableWidgetItem(text);
@@ -77,7 +70,8 @@ RigWizard::RigWizard(Workplace& place, CalibrationDesk& desk, QWidget* parent)
   grid->setColumnStretch(2, 50);
   grid->setRowStretch(0, 1);
   whole_->addWidget(wizard);
-  whole_->addWidget(makeClosed());
+  closed_ = new ClosedStep(place_, this);
+  whole_->addWidget(closed_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(whole_);
@@ -170,7 +164,7 @@ QWidget* RigWizard::makeCompare() {
   figure_ = new PlotPicture(place_.theme, figurePanel_);
   figurePanel_->content()->addWidget(figure_, 1);
   checkPanel_ = new Panel(page);
-  checks_ = makeTable(1, checkPanel_);
+  checks_ = makeFigureTable(1, checkPanel_);
   checks_->setFont(uiFont(15));
   checks_->setWordWrap(true);
   checks_->horizontalHeader()->hide();
@@ -281,7 +275,7 @@ QWidget* RigWizard::makeRight() {
   worth_ = new WorthTable(place_.theme, place_.units, worthPanel_);
   worthPanel_->content()->addWidget(worth_, 1);
   fitPanel_ = new Panel(right);
-  fit_ = makeTable(4, fitPanel_);
+  fit_ = makeFigureTable(4, fitPanel_);
   fit_->verticalHeader()->setMinimumSectionSize(22);
   fit_->verticalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   fit_->setFont(uiFont(14));
@@ -294,20 +288,6 @@ QWidget* RigWizard::makeRight() {
   column->addWidget(worthPanel_, 13);
   column->addWidget(fitPanel_, 6);
   return right;
-}
-
-QWidget* RigWizard::makeClosed() {
-  auto* closed = new Panel(this);
-  closedTitle_ = makeLabel(24, 500, "t1", closed, true);
-  closedWords_ = makeLabel(18, 400, "t2", closed, true);
-  stopLine_ = makeButton(place_.theme, QStringLiteral("pause"), closed, true);
-  closed->content()->addStretch(1);
-  closed->content()->addWidget(closedTitle_);
-  closed->content()->addWidget(closedWords_);
-  closed->content()->addWidget(stopLine_, 0, Qt::AlignLeft);
-  closed->content()->addStretch(2);
-  connect(stopLine_, &QPushButton::clicked, this, [this] { place_.line.stop(); });
-  return closed;
 }
 
 void RigWizard::retranslate() {
@@ -353,9 +333,7 @@ void RigWizard::retranslate() {
   name(cancel_, tr("Cancel"));
   name(report_, tr("Report…"));
   name(apply_, tr("Put in force"));
-  name(stopLine_, tr("Stop the line"));
-  closedTitle_->setText(tr("Closed while the line measures"));
-  closedWords_->setText(
+  closed_->say(
       tr("The plate stands where the rail passes, and the cameras are needed. Stop the line to go on; what has been "
          "taken so far is kept."));
   intervalWord_->setText(tr("To be repeated after so many days (0: never)"));
@@ -386,7 +364,7 @@ void RigWizard::begin() {
   applyResult_->clear();
   if (!place_.line.virtualRigSeed()) {
     problem_ =
-        tr("There is no rig to look through: cameras are not part of this version. Start the program on the "
+        tr("There is no rig to look through: the wizards look through the virtual rig alone. Start the program on the "
            "virtual rig.");
   } else if (auto inputs = inputsFor(inForce_, certifiedPlate()); !inputs) {
     problem_ = shown(inputs.error().message());

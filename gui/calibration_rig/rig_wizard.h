@@ -24,6 +24,7 @@ class QTableWidget;
 namespace vignole {
 
 class CalibrationDesk;
+class ClosedStep;
 class Panel;
 class PlateDrawing;
 class PlateView;
@@ -72,7 +73,6 @@ class RigWizard : public QWidget {
   QWidget* makeApply();
   QWidget* makeFoot();
   QWidget* makeRight();
-  QWidget* makeClosed();
   void go(int step);
   void next();
   void back();
@@ -112,20 +112,21 @@ class RigWizard : public QWidget {
   Panel *stepPanel_, *worthPanel_, *fitPanel_, *platePanel_, *figurePanel_, *checkPanel_, *solvePanel_, *applyPanel_;
   StepList* steps_;
   QLabel *plateTitle_, *plateNote_, *prepareWords_, *countWord_, *faultWord_, *sentence_, *detail_, *solveWords_,
-      *applyWords_, *applyResult_, *intervalWord_, *closedTitle_, *closedWords_, *handWord_;
+      *applyWords_, *applyResult_, *intervalWord_, *handWord_;
   PlateDrawing* drawing_;
   std::array<PlateView*, kCameraCount> views_{};
   QSpinBox *count_, *interval_;
   QComboBox* fault_;
   QDoubleSpinBox *x_, *y_, *turn_, *tilt_;
   QWidget* hand_;
-  QPushButton *asShown_, *takeAgain_, *back_, *next_, *cancel_, *report_, *apply_, *stopLine_, *leave_;
+  QPushButton *asShown_, *takeAgain_, *back_, *next_, *cancel_, *report_, *apply_, *leave_;
   QProgressBar* progress_;
   PlotPicture* figure_;
   QTableWidget *fit_, *checks_;
   WorthTable* worth_;
   QLineEdit* reason_;
   BackgroundJob look_, solve_, worthJob_, reportJob_;  // last: they end first
+  ClosedStep* closed_;
 };
 
 }  // namespace vignole

@@ -247,7 +247,7 @@ void StudyPanel::saveReport() {
 void StudyPanel::showAll() {
   const bool rig = place_.line.virtualRigSeed().has_value(), works = job_.running();
   words_->setText(
-      !rig        ? tr("There is no rig to look through: cameras are not part of this version.")
+      !rig        ? tr("There is no rig to look through: the wizards look through the virtual rig alone.")
       : lineRuns_ ? tr("Closed while the line measures: the plate stands where the rail passes. Stop the line to go "
                        "on.")
                   : tr("Every combination of the levels is a calibration by the paper's method on pictures of the "

@@ -22,6 +22,7 @@
 #include "gui/plots/tolerance_plot.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 #include "report/engine_words.h"
 #include "report/state_symbol.h"
@@ -33,15 +34,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
-
-QIcon symbolIcon(StateSymbol symbol, const Palette& palette) {
-  QPixmap pixmap(40, 40);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintSymbol(painter, QRectF(2, 2, 36, 36), symbol, palette);
-  return pixmap;
-}
 
 }  // namespace
 
@@ -259,7 +251,7 @@ void ChartsPage::showDimensions() {
     QString value = QStringLiteral("–");
     if (data_) {
       const DimensionSummary& s = data_->rail.summary.dimensions[index(d)];
-      name->setIcon(symbolIcon(symbolOf(s.verdict), p));
+      name->setIcon(stateIcon(symbolOf(s.verdict), p));
       name->setToolTip(wordOf(s.verdict));
       if (s.values.count() > 0)
         value = locale().toString(place_.units.shown(s.meanMm()), 'f', place_.units.decimals(decimalsOf(d)));

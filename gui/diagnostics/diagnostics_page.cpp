@@ -21,12 +21,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "engine/archive/archive_url.h"
+#include "engine/database/archive_url.h"
 #include "engine/recipe/recipe.h"
 #include "gui/diagnostics/pipeline_panel.h"
 #include "gui/diagnostics/support_bundle.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/engine_words.h"
 #include "report/state_symbol.h"
 
@@ -37,15 +38,6 @@ namespace {
 constexpr double kLoopLimitMs = 50, kHotC = 85;
 constexpr int kSupportNotePx = 420;
 constexpr int kRoomyPx = 760, kLowPanelPx = 246, kLowRowPx = 27;
-
-QIcon symbolIcon(StateSymbol symbol, const Palette& palette) {
-  QPixmap pixmap(40, 40);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintSymbol(painter, QRectF(2, 2, 36, 36), symbol, palette);
-  return pixmap;
-}
 
 void fill(QTableWidget& table, int row, int column, const QString& text, bool right = false) {
   QTableWidgetItem* item = table.item(row, column);
@@ -58,7 +50,7 @@ void fill(QTableWidget& table, int row, int column, const QString& text, bool ri
 }
 
 void mark(QTableWidget& table, int row, StateSymbol symbol, const Palette& palette) {
-  if (QTableWidgetItem* item = table.item(row, 0)) item->setIcon(symbolIcon(symbol, palette));
+  if (QTableWidgetItem* item = table.item(row, 0)) item->setIcon(stateIcon(symbol, palette));
 }
 
 QTableWidget* makeTable(int columns, QWidget* parent) {

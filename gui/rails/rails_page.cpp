@@ -27,6 +27,7 @@
 #include "gui/rails/what_if_dialog.h"
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 #include "report/engine_words.h"
 #include "report/rail_report.h"
@@ -37,15 +38,6 @@ namespace {
 
 constexpr std::size_t kMostFound = 500;
 constexpr int kTypingMs = 250, kPlayMs = 66;
-
-QIcon symbolIcon(StateSymbol symbol, const Palette& palette) {
-  QPixmap pixmap(40, 40);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintSymbol(painter, QRectF(2, 2, 36, 36), symbol, palette);
-  return pixmap;
-}
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 QDateTime local(TimeUs time) { return QDateTime::fromMSecsSinceEpoch(time / 1000); }
@@ -206,17 +198,17 @@ QWidget* RailsPage::makeReplay() {
   positionLabel_->setMinimumWidth(120);
   railBand_ = new RailBand(place_.theme, scrub_);
   connect(railBand_, &RailBand::positionAsked, this, &RailsPage::goTo);
+  drawn_ = new QComboBox(scrub_);
+  drawn_->setFont(uiFont(16));
+  for (int i = 0; i <= static_cast<int>(kDimensionCount); ++i) drawn_->addItem(QString());
+  before_ = makeButton(place_.theme, QStringLiteral("compare"), scrub_);
+  before_->setCheckable(true);
+  connect(drawn_, &QComboBox::currentIndexChanged, this, [this] {
+    if (shown_) showProfile(StoredProfile(*shown_));
+  });
+  connect(before_, &QPushButton::toggled, canvas_, &ReplayCanvas::setBeforeRegistration);
   for (QPushButton* b : {back_, playButton_, forward_}) {
     b->setFixedWidth(52);
-    drawn_ = new QComboBox(scrub_);
-    drawn_->setFont(uiFont(16));
-    for (int i = 0; i <= static_cast<int>(kDimensionCount); ++i) drawn_->addItem(QString());
-    before_ = makeButton(place_.theme, QStringLiteral("compare"), scrub_);
-    before_->setCheckable(true);
-    connect(drawn_, &QComboBox::activated, this, [this] {
-      if (shown_) showProfile(StoredProfile(*shown_));
-    });
-    connect(before_, &QPushButton::toggled, canvas_, &ReplayCanvas::setBeforeRegistration);
     scrubRow->addWidget(b);
   }
   scrubRow->addWidget(positionLabel_);
@@ -477,7 +469,7 @@ void RailsPage::showFound(std::vector<RailLine> found, std::uint64_t all) {
   for (int i = 0; i < static_cast<int>(found_.size()); ++i) {
     const RailLine& rail = found_[static_cast<std::size_t>(i)];
     auto* verdict = cell(rail.state == RailState::Running ? tr("running") : wordOf(rail.verdict));
-    verdict->setIcon(symbolIcon(rail.state == RailState::Running ? StateSymbol::Measuring : symbolOf(rail.verdict), p));
+    verdict->setIcon(stateIcon(rail.state == RailState::Running ? StateSymbol::Measuring : symbolOf(rail.verdict), p));
     table_->setItem(i, 0, verdict);
     table_->setItem(i, 1, cell(shown(rail.id)));
     table_->setItem(i, 2, cell(shown(rail.heat)));
@@ -558,7 +550,7 @@ void RailsPage::showOpened(std::shared_ptr<const OpenedRail> rail) {
     const RailException& e = all[static_cast<std::size_t>(i)];
     const DimensionSummary& d = summary.dimensions[index(e.dimension)];
     auto* dimension = cell(spoken(e.dimension));
-    dimension->setIcon(symbolIcon(StateSymbol::Out, p));
+    dimension->setIcon(stateIcon(StateSymbol::Out, p));
     exceptionTable_->setItem(i, 0, dimension);
     exceptionTable_->setItem(i, 1,
                              cell(QStringLiteral("%1 – %2").arg(locale().toString(e.stretch.fromM, 'f', 2),

@@ -16,6 +16,7 @@
 
 #include "gui/theme/inscription.h"
 #include "gui/theme/panel.h"
+#include "gui/theme/state_icon.h"
 #include "report/dimension_text.h"
 #include "report/state_symbol.h"
 
@@ -28,15 +29,6 @@ constexpr int kMostListed = 200;
 constexpr std::size_t kRowsPerBlock = 7;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
-
-QIcon symbolIcon(Verdict verdict, const Palette& palette) {
-  QPixmap pixmap(40, 40);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintSymbol(painter, QRectF(2, 2, 36, 36), symbolOf(verdict), palette);
-  return pixmap;
-}
 
 }  // namespace
 
@@ -334,7 +326,7 @@ void WhatIfDialog::showResult() {
     table_->setItem(row, 0, new QTableWidgetItem(shown(r.id)));
     const std::pair<int, Verdict> verdicts[] = {{1, r.before}, {2, r.after}};
     for (const auto& [column, verdict] : verdicts)
-      table_->setItem(row, column, new QTableWidgetItem(symbolIcon(verdict, p), wordOf(verdict)));
+      table_->setItem(row, column, new QTableWidgetItem(stateIcon(symbolOf(verdict), p), wordOf(verdict)));
     QStringList because;
     for (const Dimension d : kDimensions)
       if (r.dimensionsBefore[index(d)] != r.dimensionsAfter[index(d)]) because << spoken(d);

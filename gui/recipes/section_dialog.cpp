@@ -13,7 +13,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
-#include "engine/archive/archive_url.h"
+#include "engine/database/archive_url.h"
 #include "engine/files/atomic_file.h"
 #include "engine/rail/catalogue.h"
 #include "engine/rail/outline.h"

@@ -13,14 +13,6 @@ namespace {
 constexpr double kNameRoomPx = 62;  // around the outline
 constexpr double kStepMm = 0.5;     // of a drawn arc
 
-std::vector<Point2> pointsOf(const Primitive& shape) {
-  const double whole = length(shape);
-  const int steps = std::holds_alternative<Segment>(shape) ? 1 : std::max(4, static_cast<int>(whole / kStepMm));
-  std::vector<Point2> points;
-  for (int i = 0; i <= steps; ++i) points.push_back(pointAt(shape, whole * i / steps));
-  return points;
-}
-
 }  // namespace
 
 SectionDrawing::SectionDrawing(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
@@ -61,7 +53,7 @@ void SectionDrawing::setChosen(const QString& primitive) {
 SectionDrawing::View SectionDrawing::view() const {
   Point2 low(1e9, 1e9), high(-1e9, -1e9);
   for (const Line& line : lines_)
-    for (const Point2& p : pointsOf(line.shape)) {
+    for (const Point2& p : polyline(line.shape, kStepMm)) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
@@ -89,7 +81,7 @@ void SectionDrawing::paintEvent(QPaintEvent* /*event*/) {
   if (closed_) {
     QPolygonF outline;
     for (const Line& line : lines_)
-      for (const Point2& at : pointsOf(line.shape)) outline << view.map(at);
+      for (const Point2& at : polyline(line.shape, kStepMm)) outline << view.map(at);
     painter.setPen(Qt::NoPen);
     painter.setBrush(p.steel);
     painter.drawPolygon(outline);
@@ -97,7 +89,7 @@ void SectionDrawing::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(Qt::NoBrush);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     QPolygonF curve;
-    for (const Point2& at : pointsOf(lines_[i].shape)) curve << view.map(at);
+    for (const Point2& at : polyline(lines_[i].shape, kStepMm)) curve << view.map(at);
     const bool chosen = closed_ && !chosen_.isEmpty() && lines_[i].name == chosen_;
     // In turn dark and grey: where one ends and the next begins is seen without colour.
     const QColor ink = chosen ? p.accent : !closed_ || i % 2 == 0 ? p.t1 : p.model;
@@ -113,7 +105,7 @@ void SectionDrawing::paintNames(QPainter& painter, const View& view) {
   labels_.clear();
   std::vector<QPointF> outline;
   for (const Line& line : lines_)
-    for (const Point2& at : pointsOf(line.shape)) outline.push_back(view.map(at));
+    for (const Point2& at : polyline(line.shape, kStepMm)) outline.push_back(view.map(at));
   const auto covers = [&](const QRectF& box) {
     return std::any_of(labels_.begin(), labels_.end(), [&](const QRectF& other) { return other.intersects(box); }) ||
            std::any_of(outline.begin(), outline.end(), [&](const QPointF& at) { return box.contains(at); });

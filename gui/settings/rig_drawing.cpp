@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geometry/primitive.h"
 #include "engine/optics/nominal_rig.h"
 #include "engine/optics/plane_map.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kLabelPx = 46;  // around the outermost camera
 constexpr double kFarMm = 600;   // beyond this the light plane is not looked at
-constexpr int kArcSteps = 12;
+constexpr double kStepMm = 1;    // of a drawn arc
 
 /// Where the camera's axis meets its light plane.
 Point3 aimOf(const RangeFinderCalibration& finder, const Point3& centre) {
@@ -74,13 +75,11 @@ void RigDrawing::show(const RigCalibration& calibration, const Section& section,
     s.field = fieldOf(finder);
   }
   rail_.clear();
-  for (const NamedPrimitive& p : section.primitives) {
-    const int steps = std::holds_alternative<Segment>(p.shape) ? 1 : kArcSteps;
-    for (int i = 0; i < steps; ++i) {
-      const Point2 at = worldFromSection * pointAt(p.shape, length(p.shape) * i / steps);
+  for (const NamedPrimitive& p : section.primitives)
+    for (const Point2& onSection : polyline(p.shape, kStepMm)) {
+      const Point2 at = worldFromSection * onSection;
       rail_ << QPointF(at.x(), at.y());
     }
-  }
   known_ = true;
   update();
 }

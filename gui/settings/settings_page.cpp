@@ -136,7 +136,7 @@ void SettingsPage::retranslate() {
   cameras_->setTitle(tr("Cameras"));
   cameraWords_->setText(
       tr("No site is configured: the four cameras are those of the virtual rig, and every page says "
-         "SIMULATION. Cameras with GigE Vision are not part of this version."));
+         "SIMULATION. Cameras are measured with on the command line: vignole-cli inspect --source gige."));
   rig_->setTitle(tr("Rig"));
   rig_->setNote(tr("drawn from the calibration in force"));
   about_->setTitle(tr("About"));

@@ -148,6 +148,9 @@ void expectRoom(const QWidget& root, const std::string& where) {
     EXPECT_GE(w->width(), least.width()) << who;
     EXPECT_GE(w->height(), least.height()) << who;
     EXPECT_TRUE(w->parentWidget()->rect().contains(w->geometry())) << who;
+    if (w->inherits("QPushButton") || w->inherits("QComboBox")) {
+      EXPECT_FALSE(w->accessibleName().isEmpty()) << who << " at " << w->x() << "," << w->y();
+    }
     if (const auto* button = qobject_cast<const QAbstractButton*>(w); button != nullptr && !button->text().isEmpty()) {
       const int icon = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
       EXPECT_GE(w->width(), button->fontMetrics().horizontalAdvance(button->text()) + icon + 8)

@@ -19,6 +19,7 @@
 #include "gui/bridge/virtual_line.h"
 #include "gui/rails/next_rail_dialog.h"
 #include "gui/rails/rail_export.h"
+#include "gui/rails/replay_canvas.h"
 #include "gui/rails/what_if_dialog.h"
 #include "tests/gui/made_line.h"
 
@@ -136,6 +137,27 @@ QPushButton* button(const QWidget& parent, const char* accessibleName) {
     if (b->accessibleName() == QLatin1String(accessibleName)) return b;
   ADD_FAILURE() << "no button " << accessibleName;
   return nullptr;
+}
+
+TEST_F(RailsPageTest, TheDrawnDimensionIsChosenAndThePointsBeforeRegistrationAreShown) {
+  show();
+  openRejected();
+  const auto* canvas = page->findChild<ReplayCanvas*>();
+  ASSERT_NE(canvas, nullptr);
+  choose("Dimension that is drawn", static_cast<int>(Dimension::WT) + 1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return canvas->drawing().selected == Dimension::WT; }, 10000));
+  QList<QPushButton*> before;
+  for (QPushButton* button : page->findChildren<QPushButton*>()) {
+    if (button->accessibleName() == "Show the points before registration") before << button;
+    EXPECT_FALSE(button->accessibleName().isEmpty());
+  }
+  ASSERT_EQ(before.size(), 1);
+  QTest::mouseClick(before.front(), Qt::LeftButton);
+  EXPECT_TRUE(canvas->drawing().beforeRegistration);
+  page->goTo(1);
+  EXPECT_TRUE(canvas->drawing().beforeRegistration) << "stays from profile to profile";
+  QTest::mouseClick(before.front(), Qt::LeftButton);
+  EXPECT_FALSE(canvas->drawing().beforeRegistration);
 }
 
 TEST_F(RailsPageTest, FindsByTimeAndSectionAndClearsWhatFoundNothing) {
